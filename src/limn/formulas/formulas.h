@@ -1,0 +1,21 @@
+#pragma once
+
+// The formulas of this room, compiled as C++. The same files are included by shaders; their dialect is a subset of both
+// languages (no swizzles, float literals only, out-parameters through macros).
+
+#include "limn/base/vec.h"
+
+#define FORMULA inline
+#define OUT(T) T&
+#define INOUT(T) T&
+#define OUT_ARRAY(T, name, n) T (&name)[n]
+
+namespace limn::formulas {
+using namespace glm; // the formulas use GLSL's names unqualified
+#include "limn/formulas/radial_curvature.glsl"
+} // namespace limn::formulas
+
+#undef FORMULA
+#undef OUT
+#undef INOUT
+#undef OUT_ARRAY

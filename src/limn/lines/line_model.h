@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "limn/camera/camera.h"
+#include "limn/geometry/adjacency.h"
+#include "limn/geometry/mesh.h"
+#include "limn/surface/surface.h"
+
+namespace limn {
+
+/// A mesh with its surface, put into the world.
+struct PlacedSurface {
+    const Mesh* mesh = nullptr;
+    const Surface* surface = nullptr;
+    dmat4 transform = dmat4(1); ///< rotation, translation and uniform scale
+};
+
+/// The eye in the frame of a LineModel.
+struct View {
+    bool orthographic = false;
+    vec3 eye = vec3(0); ///< position of the eye, or the unit vector towards it
+    vec3 to_eye(const vec3& p) const { return orthographic ? eye : eye - p; }
+};
+
+/// What line extraction reads: one or more placed meshes merged into one frame, centred on their bounds and scaled so
+/// that the bounding sphere (half the box's diagonal) has radius 1, in float. Results do not change with the scale of the world.
+struct LineModel {
+    dvec3 centre = dvec3(0);
+    double scale = 1;            ///< world = centre + scale * position
+
+    // Per vertex. `positions` has one spare element at its end for the ray tracer (RayTriangles).
+    std::vector<vec3> positions, normals, e1, e2;
+    std::vector<float> k1, k2;
+    std::vector<vec4> derivative;       ///< P Q S T
+    // Per face.
+    std::vector<uvec3> faces;
+    std::vector<std::uint32_t> component; ///< (object, shell), numbered from 0
+    Adjacency adjacency;
+    // Per object.
+    std::vector<std::uint32_t> first_face, first_vertex; ///< one entry per object, and the total at the end
+
+    std::size_t vertex_count() const { return normals.size(); }
+    bool has_curvature() const { return !k1.empty(); }
+    bool has_derivative() const { return !derivative.empty(); }
+    dvec3 to_world(const vec3& p) const { return centre + scale * dvec3(p); }
+    vec3 from_world(const dvec3& p) const { return vec3((p - centre) / scale); }
+    View view(const Camera& camera) const;
+    std::uint32_t object_of_face(std::uint32_t face) const;
+};
+
+/// @throws Error::Input when a surface does not fit its mesh or no mesh is given.
+LineModel build_line_model(std::span<const PlacedSurface> placed);
+
+} // namespace limn

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "limn/base/options.h"
+#include "limn/drawing/drawing.h"
+
+namespace limn {
+
+/// The length that makes limits on curvature independent of scale (contour-lines specification 2.7).
+enum class FeatureSizeMode : std::uint8_t { bsphere, edge_median, curvature, length };
+
+struct FeatureSize {
+    FeatureSizeMode mode = FeatureSizeMode::bsphere;
+    double length = 0; ///< world units; mode `length` only
+};
+
+enum class Hidden : std::uint8_t { remove, dash, keep };
+enum class ExtractMethod : std::uint8_t { exact, stochastic };
+
+/// What is drawn, and where lines stop. Limits are without unit (they apply to feature_size^2 * D kr).
+struct LineOptions {
+    std::vector<LineType> lines = {LineType::contour, LineType::suggestive, LineType::crease, LineType::border};
+    Hidden hidden = Hidden::remove;
+    ExtractMethod method = ExtractMethod::exact;
+    double suggestive_limit = 0.01;  ///< t_d; 0 keeps every suggestive contour
+    double highlight_limit = 0.01;   ///< t_h
+    double ridge_limit = 1.0;        ///< ridges and valleys: smallest feature_size-scaled curvature
+    double apparent_limit = 1.0;     ///< apparent ridges: smallest feature_size-scaled view-dependent curvature
+    double fade = 2;                 ///< full ink from `fade` limits above a limit; 0: no fading
+    double speed_limit = 0;          ///< drop suggestive lines faster than this (model radii per radius of camera motion); 0: off
+    double crease_angle = 40;        ///< dihedral deviation from flat, degrees, from which an edge is a crease
+    FeatureSize feature_size;
+    double min_length = 0;           ///< drop strokes shorter than this on screen, px (contours and borders are kept)
+    double tolerance = 0.25;         ///< simplification of strokes, px
+    double sample_fraction = 0.01;   ///< stochastic: part of the candidate faces tested
+    double discovery = 0.2;          ///< stochastic: part of the seeds traded for random faces
+    std::uint32_t seed = 1;          ///< stochastic
+
+    bool has(LineType type) const;
+};
+
+/// The numbers above as data, for the command line, help and scene files.
+const OptionTable<LineOptions>& line_option_table();
+
+} // namespace limn
