@@ -31,7 +31,7 @@ Adjacency build_adjacency(std::span<const uvec3> triangles, std::size_t vertex_c
 /// @return one shell number per face
 std::vector<std::uint32_t> find_shells(const Adjacency& adjacency);
 
-/// One face around each vertex list in CSR form: faces of vertex v are face[start[v]] … face[start[v+1]-1], ascending.
+/// The faces around each vertex in CSR form: those of vertex v are face[start[v]] … face[start[v+1]-1], ascending.
 struct VertexFaces {
     std::vector<std::uint32_t> start; ///< vertex_count + 1
     std::vector<std::uint32_t> face;
