@@ -12,7 +12,7 @@ namespace limn {
 std::vector<float> facing_of_vertices(const LineModel& model, const View& view);
 
 /// Contours as the zero set of the interpolated n.v (Hertzmann & Zorin 2000; contour-lines specification 2.2, M1): one segment
-/// per face with mixed signs, in the order of the faces. Each is directed so that the front (n.v >= 0) lies to its left
+/// per face with mixed signs, in the order of the faces. Each is directed so that the front (n.v >= 0) lies to its right
 /// seen from outside: it enters its face by edge_a and leaves by edge_b, and the next face enters where it leaves.
 /// Both generators, in front and behind, visible or not.
 std::vector<Segment> extract_contours(const LineModel& model, std::span<const float> facing);

@@ -1,0 +1,289 @@
+#include "limn/lines/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "limn/base/parallel.h"
+#include "limn/formulas/formulas.h"
+#include "limn/lines/edge_zero.h"
+#include "limn/lines/element_test.h"
+
+namespace limn {
+namespace {
+
+constexpr std::size_t grain = 256;
+
+float radial_curvature_at(const ViewContext& c, std::uint32_t vertex)
+{
+    const LineModel& m = c.model;
+    const auto terms = formulas::radial_terms(c.view.to_eye(m.positions[vertex]), m.normals[vertex], m.e1[vertex], m.e2[vertex],
+                                              m.k1[vertex], m.k2[vertex]);
+    return formulas::radial_curvature(terms, m.k1[vertex], m.k2[vertex]);
+}
+
+/// Radial curvature where the contour crosses a mesh edge.
+float radial_curvature_on_edge(const ViewContext& c, std::uint32_t edge)
+{
+    if (edge == none)
+        return 0;
+    const uvec3& t = c.model.faces[edge / 3];
+    const std::uint32_t i = t[int(edge % 3)], j = t[int((edge + 1) % 3)];
+    const EdgeZero zero = edge_zero(i, j, c.facing[i], c.facing[j]);
+    return zero.mix(radial_curvature_at(c, zero.from), radial_curvature_at(c, zero.to));
+}
+
+/// One (1,2,1)/4 pass over the nodes of a chain; the ends of an open chain stay.
+void smooth(std::vector<float>& nodes, bool closed)
+{
+    const std::size_t n = nodes.size();
+    if (n < 3)
+        return;
+    const std::vector<float> old = nodes;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!closed && (i == 0 || i + 1 == n))
+            continue;
+        nodes[i] = 0.25f * (old[(i + n - 1) % n] + old[(i + 1) % n]) + 0.5f * old[i];
+    }
+}
+
+/// Where n.v, linear in the segment's face, is zero on it; negative where there is no such place.
+float turning_point(const ViewContext& c, const Segment& s)
+{
+    const float a = facing_in_face(c.model, c.facing, s.face, s.a), b = facing_in_face(c.model, c.facing, s.face, s.b);
+    return (a < 0) == (b < 0) ? -1 : a / (a - b);
+}
+
+struct Place {
+    float t; ///< from a to b
+    bool may_hide, may_appear, cusp;
+};
+
+/// Appends the elements of one link.
+void split_link(const ViewContext& c, const Segment& s, const Link& link, std::vector<Place>& places, Place start, std::vector<Element>& out)
+{
+    const float step = step_of_face(c.model, s.face), length = glm::distance(s.a, s.b);
+    std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.t < y.t; });
+    if (link.reversed)
+        std::reverse(places.begin(), places.end());
+    places.push_back({link.reversed ? 0.0f : 1.0f, false, false, false});
+    float from = link.reversed ? 1.0f : 0.0f;
+    for (const Place& place : places) {
+        out.push_back({link.segment, from, place.t, std::abs(place.t - from) * length, step, start.may_hide, start.may_appear, start.cusp, true});
+        start = place;
+        from = place.t;
+    }
+}
+
+/// The cuts of all segments under occluders, and where those of each segment start.
+struct SegmentCuts {
+    std::vector<Cut> cuts;
+    std::vector<std::uint32_t> start;
+};
+
+SegmentCuts find_cuts(const ViewContext& c, std::span<const Segment> segments, const OccluderGrid& occluders)
+{
+    SegmentCuts found;
+    found.start.assign(segments.size() + 1, 0);
+    if (occluders.empty())
+        return found;
+    found.cuts = parallel_collect<Cut>(segments.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<Cut>& out) {
+        for (std::size_t i = begin; i < end; ++i)
+            occluders.find(std::uint32_t(i), segments[i], c.projector.project(segments[i].a), c.projector.project(segments[i].b), c.projector, out);
+    });
+    for (const Cut& cut : found.cuts)
+        ++found.start[cut.segment + 1];
+    std::partial_sum(found.start.begin(), found.start.end(), found.start.begin());
+    return found;
+}
+
+ChainElements split_chains(const ViewContext& c, VisibilityRule rule, std::span<const Segment> segments, const Chains& chains,
+                           const LinkCurvature& curvature, const SegmentCuts& cuts)
+{
+    ChainElements result;
+    result.elements.reserve(chains.links.size() + cuts.cuts.size());
+    std::vector<Place> places;
+    for (std::size_t chain = 0; chain < chains.size(); ++chain) {
+        result.start.push_back(std::uint32_t(result.elements.size()));
+        for (std::uint32_t l = chains.start[chain]; l < chains.start[chain + 1]; ++l) {
+            const Link& link = chains.links[l];
+            const Segment& s = segments[link.segment];
+            places.clear();
+            for (std::uint32_t k = cuts.start[link.segment]; k < cuts.start[link.segment + 1]; ++k) {
+                const Cut& cut = cuts.cuts[k];
+                places.push_back(link.reversed ? Place{cut.t, cut.may_appear, cut.may_hide, false} : Place{cut.t, cut.may_hide, cut.may_appear, false});
+            }
+            if (!curvature.enter.empty() && (curvature.enter[l] < 0) != (curvature.leave[l] < 0)) {
+                const float t = curvature.enter[l] / (curvature.enter[l] - curvature.leave[l]);
+                places.push_back({link.reversed ? 1 - t : t, true, true, true});
+            }
+            if (rule == VisibilityRule::surface)
+                if (const float t = turning_point(c, s); t > 0 && t < 1)
+                    places.push_back({t, true, true, true});
+            split_link(c, s, link, places, {0, false, false, false}, result.elements);
+        }
+    }
+    result.start.push_back(std::uint32_t(result.elements.size()));
+    return result;
+}
+
+/// Viterbi over the two states of each element of a chain: the cheapest sequence of visible and hidden, where an element
+/// that contradicts its test costs its length and a change costs its price.
+class Decision {
+public:
+    Decision(std::span<Element> elements, const ChangePrices& prices) : elements_(elements), prices_(prices), from_(elements.size()) {}
+
+    void open() { write(best(run(unary(0, 0), unary(0, 1)))); }
+
+    /// Both start states are tried, and the last element pays for its change to the first.
+    void closed()
+    {
+        Total best_of[2];
+        std::vector<From> paths[2];
+        for (int first = 0; first < 2; ++first) {
+            const float blocked = std::numeric_limits<float>::infinity();
+            auto [visible, hidden] = run(first == 0 ? unary(0, 0) : blocked, first == 1 ? unary(0, 1) : blocked);
+            best_of[first] = best({visible + change(0, 0, first), hidden + change(0, 1, first)});
+            paths[first] = from_;
+        }
+        const int first = best_of[1].cost < best_of[0].cost;
+        from_ = paths[first];
+        write(best_of[first]);
+    }
+
+private:
+    struct From {
+        std::uint8_t state[2]; ///< the state before, for each state of this element; 0: visible, 1: hidden
+    };
+    struct Total {
+        float cost;
+        int state;
+    };
+    float unary(std::size_t k, int state) const { return elements_[k].visible == (state == 0) ? 0 : elements_[k].length; }
+    /// The price of going from one state to another where element k starts.
+    float change(std::size_t k, int from, int to) const
+    {
+        if (from == to)
+            return 0;
+        const Element& e = elements_[k];
+        return e.step * (e.cusp || (to == 1 ? e.may_hide : e.may_appear) ? prices_.expected : prices_.other);
+    }
+    std::pair<float, float> run(float visible, float hidden)
+    {
+        float cost[2] = {visible, hidden};
+        for (std::size_t k = 1; k < elements_.size(); ++k) {
+            float next[2];
+            for (int to = 0; to < 2; ++to) {
+                const float stay = cost[to], move = cost[1 - to] + change(k, 1 - to, to);
+                from_[k].state[to] = std::uint8_t(move < stay ? 1 - to : to);
+                next[to] = std::min(stay, move) + unary(k, to);
+            }
+            cost[0] = next[0];
+            cost[1] = next[1];
+        }
+        return {cost[0], cost[1]};
+    }
+    static Total best(std::pair<float, float> costs) { return costs.second < costs.first ? Total{costs.second, 1} : Total{costs.first, 0}; }
+    void write(Total last)
+    {
+        int state = last.state;
+        for (std::size_t k = elements_.size(); k-- > 0;) {
+            const int before = k > 0 ? from_[k].state[state] : 0;
+            elements_[k].visible = state == 0;
+            state = before;
+        }
+    }
+    std::span<Element> elements_;
+    ChangePrices prices_;
+    std::vector<From> from_;
+};
+
+} // namespace
+
+float step_of_face(const LineModel& model, std::uint32_t face)
+{
+    const uvec3& t = model.faces[face];
+    const vec3 &a = model.positions[t.x], &b = model.positions[t.y], &c = model.positions[t.z];
+    const float ab = glm::distance(a, b), bc = glm::distance(b, c), ca = glm::distance(c, a);
+    const float longest = std::max({ab, bc, ca}), shortest = std::min({ab, bc, ca});
+    return longest > 5 * shortest ? longest : (ab + bc + ca) / 3;
+}
+
+LinkCurvature curvature_along_contours(const ViewContext& c, std::span<const Segment> segments, const Chains& chains)
+{
+    LinkCurvature result;
+    if (!c.model.has_curvature())
+        return result;
+    result.enter.resize(chains.links.size());
+    result.leave.resize(chains.links.size());
+    const auto id = [&](const Link& link, bool enter) {
+        const Segment& s = segments[link.segment];
+        return enter != link.reversed ? s.edge_a : s.edge_b;
+    };
+    parallel_each(chains.links.size(), grain, [&](std::size_t l) { result.enter[l] = radial_curvature_on_edge(c, id(chains.links[l], true)); });
+    parallel_each(chains.size(), 1, [&](std::size_t chain) {
+        const std::uint32_t begin = chains.start[chain], end = chains.start[chain + 1];
+        std::vector<float> nodes(result.enter.begin() + begin, result.enter.begin() + end);
+        if (!chains.closed[chain])
+            nodes.push_back(radial_curvature_on_edge(c, id(chains.links[end - 1], false)));
+        smooth(nodes, chains.closed[chain]);
+        smooth(nodes, chains.closed[chain]);
+        for (std::uint32_t l = begin; l < end; ++l) {
+            result.enter[l] = nodes[l - begin];
+            result.leave[l] = nodes[(l - begin + 1) % nodes.size()];
+        }
+    });
+    return result;
+}
+
+std::vector<Occluder> occluders_of_contours(const ViewContext& c, std::span<const Segment> segments, const Chains& chains,
+                                            const LinkCurvature& curvature)
+{
+    const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Occluder>& out) {
+        for (std::size_t l = begin; l < end; ++l) {
+            if (!curvature.enter.empty() && curvature.enter[l] + curvature.leave[l] < 0)
+                continue;
+            const Segment& s = segments[chains.links[l].segment];
+            const uvec3& t = c.model.faces[s.face];
+            const dvec3 normal = dvec3(c.model.normals[t.x] + c.model.normals[t.y] + c.model.normals[t.z]);
+            const dvec2 outward = {glm::dot(normal, c.projector.right), -glm::dot(normal, c.projector.above)};
+            out.push_back({c.projector.project(s.a), c.projector.project(s.b), outward, s.edge_a, s.edge_b});
+        }
+    };
+    return parallel_collect<Occluder>(chains.links.size(), 1024, collect);
+}
+
+ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::span<const Segment> segments, const Chains& chains,
+                              const LinkCurvature& curvature, const OccluderGrid& occluders, const ChangePrices& prices)
+{
+    ChainElements result = split_chains(c, rule, segments, chains, curvature, find_cuts(c, segments, occluders));
+    // The curvature of a link, found again from an element by its segment.
+    std::vector<std::uint32_t> link_of(curvature.enter.empty() ? 0 : segments.size());
+    for (std::uint32_t l = 0; l < chains.links.size() && !link_of.empty(); ++l)
+        link_of[chains.links[l].segment] = l;
+    parallel_each(result.elements.size(), grain, [&](std::size_t k) {
+        Element& e = result.elements[k];
+        const Segment& s = segments[e.segment];
+        const float middle = 0.5f * (e.t0 + e.t1);
+        if (!link_of.empty()) {
+            const std::uint32_t l = link_of[e.segment];
+            const float along = chains.links[l].reversed ? 1 - middle : middle;
+            const float kr = glm::mix(curvature.enter[l], curvature.leave[l], along);
+            // Nearly flat: the sign is noise, only the ray decides.
+            if (kr < 0 && -kr * e.step >= 1e-4f) {
+                e.visible = false;
+                return;
+            }
+        }
+        const vec3 p = glm::mix(s.a, s.b, middle);
+        e.visible = rule == VisibilityRule::edge ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s.face, p, e.step);
+    });
+    parallel_each(chains.size(), 1, [&](std::size_t chain) {
+        const std::span<Element> elements(result.elements.data() + result.start[chain], result.elements.data() + result.start[chain + 1]);
+        Decision decision(elements, prices);
+        chains.closed[chain] ? decision.closed() : decision.open();
+    });
+    return result;
+}
+
+} // namespace limn
