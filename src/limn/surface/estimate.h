@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "limn/base/options.h"
 #include "limn/surface/surface.h"
 
 namespace limn {
@@ -19,6 +20,9 @@ struct EstimateOptions {
     int radius = 0; ///< rings of neighbours, 2..6; 0 chooses them from the residual of trial fits
     int smooth = 0; ///< one-ring smoothing passes on positions' noise: normals, curvature and derivative tensors (scans)
 };
+
+/// The options above but `need`, as data.
+const OptionTable<EstimateOptions>& estimate_option_table();
 
 /// What the estimator chose and measured.
 struct EstimateReport {

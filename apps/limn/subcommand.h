@@ -1,0 +1,11 @@
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+/// A part of the command line and what it does. `run` throws limn::Error.
+struct Subcommand {
+    CLI::App* app = nullptr;
+    std::function<void()> run;
+};
