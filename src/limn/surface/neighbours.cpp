@@ -1,0 +1,121 @@
+#include "limn/surface/neighbours.h"
+
+#include "limn/base/parallel.h"
+
+namespace limn {
+namespace {
+
+constexpr std::size_t grain = 4096;
+constexpr int most_rings = 8;
+/// Beyond this many points no further vertex is expanded: bounds the work around vertices of huge valence.
+constexpr std::size_t expansion_limit = 1024;
+
+/// Removes repeated entries behind `first`. Short lists keep their order; long ones (fans) are sorted instead.
+void remove_repeats(std::vector<std::uint32_t>& list, std::size_t first)
+{
+    const auto begin = list.begin() + std::ptrdiff_t(first);
+    if (list.size() - first > 64) {
+        std::sort(begin, list.end());
+        list.erase(std::unique(begin, list.end()), list.end());
+        return;
+    }
+    auto end = begin;
+    for (auto i = begin; i != list.end(); ++i)
+        if (std::find(begin, end, *i) == end)
+            *end++ = *i;
+    list.erase(end, list.end());
+}
+
+} // namespace
+
+Neighbours build_neighbours(std::span<const uvec3> triangles, const VertexFaces& faces)
+{
+    const std::size_t vertices = faces.start.size() - 1;
+    Neighbours result;
+    result.start.assign(vertices + 1, 0);
+    result.vertex = parallel_collect<std::uint32_t>(vertices, grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) {
+        out.reserve(faces.start[end] - faces.start[begin] + 64);
+        for (std::size_t v = begin; v < end; ++v) {
+            const std::size_t first = out.size();
+            for (std::uint32_t i = faces.start[v]; i < faces.start[v + 1]; ++i)
+                for (int k = 0; k < 3; ++k)
+                    if (const std::uint32_t other = triangles[faces.face[i]][k]; other != v)
+                        out.push_back(other);
+            remove_repeats(out, first);
+            result.start[v + 1] = std::uint32_t(out.size() - first);
+        }
+    });
+    for (std::size_t v = 0; v < vertices; ++v)
+        result.start[v + 1] += result.start[v];
+    return result;
+}
+
+std::vector<dvec3> area_normals(std::span<const dvec3> positions, std::span<const uvec3> triangles, const VertexFaces& faces)
+{
+    std::vector<dvec3> normals(positions.size());
+    parallel_each(positions.size(), grain, [&](std::size_t v) {
+        dvec3 sum(0);
+        for (std::uint32_t i = faces.start[v]; i < faces.start[v + 1]; ++i) {
+            const uvec3& t = triangles[faces.face[i]];
+            sum += glm::cross(positions[t.y] - positions[t.x], positions[t.z] - positions[t.x]);
+        }
+        normals[v] = sum;
+    });
+    return normals;
+}
+
+RingCollector::RingCollector(std::span<const dvec3> positions, const Neighbours& neighbours)
+    : positions_(positions), neighbours_(neighbours), stamps_(positions.size(), 0)
+{
+}
+
+void RingCollector::collect(std::uint32_t centre, const RingSize& size, std::vector<std::uint32_t>& out)
+{
+    if (++stamp_ == 0) {
+        std::fill(stamps_.begin(), stamps_.end(), 0u);
+        stamp_ = 1;
+    }
+    const std::size_t first = out.size();
+    stamps_[centre] = stamp_;
+    for (const std::uint32_t u : neighbours_.of(centre)) {
+        stamps_[u] = stamp_;
+        out.push_back(u);
+    }
+    std::size_t begin = first;
+    for (int ring = 2; ring <= most_rings && (ring <= size.rings || out.size() - first < size.least); ++ring) {
+        const std::size_t end = out.size();
+        expand(begin, end, first + expansion_limit, out);
+        begin = end;
+    }
+    if (out.size() - first > most)
+        keep_nearest(centre, first, out);
+}
+
+void RingCollector::expand(std::size_t begin, std::size_t end, std::size_t limit, std::vector<std::uint32_t>& out)
+{
+    for (std::size_t i = begin; i < end; ++i)
+        for (const std::uint32_t u : neighbours_.of(out[i])) {
+            if (out.size() >= limit)
+                return;
+            if (stamps_[u] != stamp_) {
+                stamps_[u] = stamp_;
+                out.push_back(u);
+            }
+        }
+}
+
+void RingCollector::keep_nearest(std::uint32_t centre, std::size_t first, std::vector<std::uint32_t>& out) const
+{
+    const auto distance = [&](std::uint32_t u) {
+        const dvec3 d = positions_[u] - positions_[centre];
+        return glm::dot(d, d);
+    };
+    const auto nearer = [&](std::uint32_t a, std::uint32_t b) {
+        const double x = distance(a), y = distance(b);
+        return x != y ? x < y : a < b;
+    };
+    std::nth_element(out.begin() + std::ptrdiff_t(first), out.begin() + std::ptrdiff_t(first + most), out.end(), nearer);
+    out.resize(first + most);
+}
+
+} // namespace limn
