@@ -169,8 +169,8 @@ TEST(Crease, LeavesOutPiecesThatAreShortForTheirShell)
         const bool dent = std::abs(u - 0.5) < 1e-9 && std::abs(v - 0.5) < 1e-9;
         return dvec3(10 * u, 10 * v, dent ? 0.05 : 0);
     });
-    EXPECT_GT(find_creases(model_of(mesh), {.min_length = 0}).size(), 0u);
-    EXPECT_EQ(find_creases(model_of(mesh)).size(), 0u);
+    EXPECT_GT(find_creases(model_of(mesh), {.prominence = 0, .min_length = 0}).size(), 0u);
+    EXPECT_EQ(find_creases(model_of(mesh), {.prominence = 0}).size(), 0u);
     const Mesh small = test::stretched(cube(), dvec3(0.05));
     const std::uint32_t first = std::uint32_t(mesh.positions.size());
     for (const dvec3& p : small.positions)
@@ -178,6 +178,18 @@ TEST(Crease, LeavesOutPiecesThatAreShortForTheirShell)
     for (const uvec3& t : small.triangles)
         mesh.triangles.push_back(t + first);
     EXPECT_EQ(find_creases(model_of(mesh)).size(), 12u);
+}
+
+TEST(Crease, LeavesOutTheRoughSkinOfAScanButKeepsAFinelyCutEdge)
+{
+    const int n = 100;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> noise(-0.3, 0.3);
+    const LineModel rough = model_of(sheet(n, n, [&](double u, double v) { return dvec3(n * u, n * v, noise(random)); }));
+    EXPECT_GT(find_creases(rough, {.prominence = 0, .min_length = 0}).size(), 1000u);
+    EXPECT_LT(find_creases(rough).size(), 100u);
+    const LineModel roof = model_of(sheet(n, n, [&](double u, double v) { return dvec3(n * u, n * v, n * std::abs(u - 0.5)); }));
+    EXPECT_EQ(find_creases(roof).size(), std::size_t(n));
 }
 
 TEST(Border, OfAnOpenSheetIsOneClosedChain)

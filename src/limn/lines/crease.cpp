@@ -15,6 +15,9 @@ constexpr std::size_t grain = 8192;
 // Below this height (in radii of the model) the normal of a face is that of its rounded positions, not of the shape.
 constexpr float least_height = 1e-6f;
 
+// Edges longer than this part of their shell's radius were put there one by one: they need not stand out.
+constexpr float short_edge = 0.05f;
+
 std::uint32_t tail(const LineModel& model, std::uint32_t h) { return model.faces[h / 3][int(h % 3)]; }
 std::uint32_t head(const LineModel& model, std::uint32_t h) { return model.faces[h / 3][int((h + 1) % 3)]; }
 
@@ -129,7 +132,7 @@ std::vector<float> shell_radii(const LineModel& model)
 }
 
 /// Leaves out the connected sets of edges whose total length is below `min_length` radii of their shell.
-void drop_short_sets(const LineModel& model, std::vector<FeatureEdge>& edges, double min_length)
+void drop_short_sets(const LineModel& model, const std::vector<float>& shell_radius, std::vector<FeatureEdge>& edges, double min_length)
 {
     std::vector<std::uint32_t> parent(model.vertex_count());
     std::iota(parent.begin(), parent.end(), 0u);
@@ -138,34 +141,64 @@ void drop_short_sets(const LineModel& model, std::vector<FeatureEdge>& edges, do
     std::vector<double> length(model.vertex_count(), 0);
     for (const FeatureEdge& e : edges)
         length[find_root(parent, e.a)] += double(glm::distance(model.positions[e.a], model.positions[e.b]));
-    const std::vector<float> radii = shell_radii(model);
     std::erase_if(edges, [&](const FeatureEdge& e) {
-        return e.manifold && length[find_root(parent, e.a)] < min_length * double(radii[model.component[e.face]]);
+        return e.manifold && length[find_root(parent, e.a)] < min_length * double(shell_radius[model.component[e.face]]);
     });
 }
 
-void add_paired_creases(const LineModel& model, const std::vector<vec3>& normals, float limit, std::vector<FeatureEdge>& creases)
+/// The smaller bend at the other two edges of the face of half-edge h: 0 where the face continues in a flat one.
+float bend_beside(const LineModel& model, const std::vector<vec3>& normals, std::uint32_t h)
 {
-    creases = parallel_collect<FeatureEdge>(model.adjacency.twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
+    float least = std::numbers::pi_v<float>;
+    for (std::uint32_t g = next_half_edge(h); g != h; g = next_half_edge(g)) {
+        const std::uint32_t other = model.adjacency.twin[g];
+        least = std::min(least, other == none ? 0.0f : std::abs(edge_between(model, normals, g, other).angle));
+    }
+    return least;
+}
+
+struct CreaseTest {
+    const LineModel& model;
+    std::vector<vec3> normals;
+    std::vector<float> shell_radius;
+    float limit, prominence;
+
+    bool bends_enough(const FeatureEdge& edge) const { return std::abs(edge.angle) >= limit; }
+    bool lies_in_rounding(const FeatureEdge& edge, std::uint32_t h) const;
+};
+
+/// True for a short edge of a surface that bends nearly as much beside it: a rounded rim cut coarsely, or noise.
+bool CreaseTest::lies_in_rounding(const FeatureEdge& edge, std::uint32_t h) const
+{
+    if (edge_length(model, h) > short_edge * shell_radius[model.component[edge.face]])
+        return false;
+    const float beside = std::max(bend_beside(model, normals, h), bend_beside(model, normals, model.adjacency.twin[h]));
+    return std::abs(edge.angle) < prominence * beside;
+}
+
+std::vector<FeatureEdge> paired_creases(const CreaseTest& test)
+{
+    const LineModel& model = test.model;
+    return parallel_collect<FeatureEdge>(model.adjacency.twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t h = std::uint32_t(i), g = model.adjacency.twin[h];
             if (g == none || g < h)
                 continue;
-            const FeatureEdge edge = edge_between(model, normals, h, g);
-            if (std::abs(edge.angle) >= limit)
+            const FeatureEdge edge = edge_between(model, test.normals, h, g);
+            if (test.bends_enough(edge) && !test.lies_in_rounding(edge, h))
                 out.push_back(edge);
         }
     });
 }
 
-void add_unpaired_creases(const LineModel& model, const std::vector<vec3>& normals, float limit, std::vector<FeatureEdge>& creases)
+void add_unpaired_creases(const CreaseTest& test, std::vector<FeatureEdge>& creases)
 {
-    for_each_unpaired(unpaired_edges(model), [&](const UnpairedEdge* e, std::size_t count) {
+    for_each_unpaired(unpaired_edges(test.model), [&](const UnpairedEdge* e, std::size_t count) {
         if (count < 2)
             return;
-        FeatureEdge edge = edge_between(model, normals, e[0].half_edge, e[1].half_edge);
+        FeatureEdge edge = edge_between(test.model, test.normals, e[0].half_edge, e[1].half_edge);
         edge.manifold = count == 2;
-        if (!edge.manifold || std::abs(edge.angle) >= limit)
+        if (!edge.manifold || test.bends_enough(edge))
             creases.push_back(edge);
     });
 }
@@ -183,15 +216,14 @@ void sort_by_half_edge(const LineModel& model, std::vector<FeatureEdge>& edges)
 
 std::vector<FeatureEdge> find_creases(const LineModel& model, const CreaseOptions& options)
 {
-    const std::vector<vec3> normals = face_normals(model);
     // An edge of exactly the asked angle is a crease, whatever the last bit of its normals.
     const float limit = std::max(float(options.angle * std::numbers::pi / 180) - 1e-4f, 1e-3f);
-    std::vector<FeatureEdge> creases;
-    add_paired_creases(model, normals, limit, creases);
-    add_unpaired_creases(model, normals, limit, creases);
+    const CreaseTest test = {model, face_normals(model), shell_radii(model), limit, float(options.prominence)};
+    std::vector<FeatureEdge> creases = paired_creases(test);
+    add_unpaired_creases(test, creases);
     sort_by_half_edge(model, creases);
     if (options.min_length > 0 && !creases.empty())
-        drop_short_sets(model, creases, options.min_length);
+        drop_short_sets(model, test.shell_radius, creases, options.min_length);
     return creases;
 }
 

@@ -18,9 +18,12 @@ struct FeatureEdge {
     bool convex() const { return angle > 0; }
 };
 
+/// What counts as a crease. The last two keep the noise of scans and coarsely cut roundings out of the drawing; lengths
+/// are in units of half the diagonal of the box of the edge's shell. Edges of more than two faces always count.
 struct CreaseOptions {
-    double angle = 40;        ///< smallest deviation from flat, degrees; an edge of more than two faces is always a crease
-    double min_length = 0.12; ///< connected creases shorter than this in all are noise and left out; unit: half the diagonal of their shell's box
+    double angle = 40;       ///< smallest deviation from flat, degrees
+    double prominence = 2;   ///< edges shorter than 0.05 must bend so many times as much as the surface beside them; 0: any
+    double min_length = 0.1; ///< connected creases that are shorter than this in all are left out; 0: none
 };
 
 /// Finds the creases of a model, once for all views. Faces that run along an edge in the same direction (inconsistent
