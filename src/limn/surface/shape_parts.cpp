@@ -1,5 +1,6 @@
 #include "limn/surface/shape_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -55,10 +56,10 @@ template <class Map> ShapePart grid_part(ShapePart::Topology topology, dvec2 low
     return part;
 }
 
-ShapePart ellipsoid(const dvec3& axes, const dvec3& centre = dvec3(0))
+ShapePart ellipsoid(const EllipsoidPiece& e)
 {
     return sphere_part([=]<class T>(const Point<T>& d) {
-        return Point<T>{centre.x + axes.x * d.x, centre.y + axes.y * d.y, centre.z + axes.z * d.z};
+        return Point<T>{e.centre.x + e.axes.x * d.x, e.centre.y + e.axes.y * d.y, e.centre.z + e.axes.z * d.z};
     });
 }
 
@@ -67,31 +68,25 @@ ShapePart blob()
     return sphere_part([]<class T>(const Point<T>& d) { return blob_radius(d) * d; });
 }
 
-/// Tube radius as a function of (u,v); u runs around the axis, v around the tube.
-template <class Radius> ShapePart torus_like(double ring_radius, double aspect, const Radius& radius)
+/// The point of a torus of axis z whose tube has radius r there.
+template <class T> Point<T> torus_point(double ring_radius, const T& r, const T& u, const T& v)
 {
-    return grid_part(ShapePart::Topology::torus, dvec2(0), dvec2(2 * pi), aspect, [=]<class T>(const T& u, const T& v) {
-        const T r = radius(u, v), q = ring_radius + r * cos(v);
-        return Point<T>{q * cos(u), q * sin(u), r * sin(v)};
-    });
+    const T q = ring_radius + r * cos(v);
+    return {q * cos(u), q * sin(u), r * sin(v)};
 }
 
-ShapePart torus(double ring_radius, double tube_radius, double aspect)
+ShapePart torus(const TorusPiece& t)
 {
-    return torus_like(ring_radius, aspect, [=]<class T>(const T&, const T&) { return T(tube_radius); });
+    const double aspect = std::max(1.0, std::floor(t.ring_radius / t.tube_radius));
+    return grid_part(ShapePart::Topology::torus, dvec2(0), dvec2(2 * pi), aspect, [=]<class T>(const T& u, const T& v) {
+        return t.place(torus_point(t.ring_radius, T(t.tube_radius), u, v));
+    });
 }
 
 ShapePart bumpy_torus()
 {
-    return torus_like(1, 2, []<class T>(const T& u, const T& v) { return bumpy_tube_radius(u, v); });
-}
-
-/// A torus moved to `centre`; upright: its axis is y instead of z.
-ShapePart ring(const dvec3& centre, bool upright)
-{
-    return grid_part(ShapePart::Topology::torus, dvec2(0), dvec2(2 * pi), 4, [=]<class T>(const T& u, const T& v) {
-        const T q = 0.7 + 0.18 * cos(v), x = centre.x + q * cos(u), side = q * sin(u), height = 0.18 * sin(v);
-        return upright ? Point<T>{x, centre.y - height, centre.z + side} : Point<T>{x, centre.y + side, centre.z + height};
+    return grid_part(ShapePart::Topology::torus, dvec2(0), dvec2(2 * pi), 2, []<class T>(const T& u, const T& v) {
+        return torus_point(1, bumpy_tube_radius(u, v), u, v);
     });
 }
 
@@ -127,35 +122,50 @@ ShapePart bent_sheet()
 
 } // namespace
 
-std::vector<ShapePart> shape_parts(std::string_view name, double tube_radius)
+std::vector<EllipsoidPiece> ellipsoid_pieces(std::string_view name)
 {
     if (name == "sphere")
-        return {ellipsoid(dvec3(1))};
+        return {{dvec3(1), dvec3(0)}};
     if (name == "ellipsoid")
-        return {ellipsoid({1, 0.7, 0.5})};
-    if (name == "blob")
-        return {blob()};
+        return {{{1, 0.7, 0.5}, dvec3(0)}};
     if (name == "discs")
-        return {ellipsoid({1, 1, 0.03}, {0, 0, -0.035}), ellipsoid({1, 1, 0.03}, {0, 0, 0.035})};
+        return {{{1, 1, 0.03}, {0, 0, -0.035}}, {{1, 1, 0.03}, {0, 0, 0.035}}};
     if (name == "spheres")
-        return {ellipsoid(dvec3(0.8), {-0.5, 0, 0}), ellipsoid(dvec3(0.8), {0.5, 0, 0})};
-    if (name == "torus")
-        return {torus(1, tube_radius, 2)};
-    if (name == "bumpy-torus")
-        return {bumpy_torus()};
-    if (name == "rings")
-        return {ring({-0.95, 0, 0}, false), ring({0, 0, 0}, true), ring({0.95, 0, 0}, false)};
-    if (name == "knot")
-        return {knot()};
-    if (name == "plane")
-        return {height_sheet([]<class T>(const T&, const T&) { return T(0.0); })};
-    if (name == "sine-sheet")
-        return {height_sheet([]<class T>(const T& x, const T&) { return T(0.1 * sin(2 * pi * x)); })};
-    if (name == "bump")
-        return {height_sheet([]<class T>(const T& x, const T& y) { return T(0.5 * exp((x * x + y * y) * (-1 / 0.18))); })};
-    if (name == "bent-sheet")
-        return {bent_sheet()};
+        return {{dvec3(0.8), {-0.5, 0, 0}}, {dvec3(0.8), {0.5, 0, 0}}};
     return {};
+}
+
+std::vector<TorusPiece> torus_pieces(std::string_view name, double tube_radius)
+{
+    if (name == "torus")
+        return {{1, tube_radius, dvec3(0), false}};
+    if (name == "rings")
+        return {{0.7, 0.18, {-0.95, 0, 0}, false}, {0.7, 0.18, {0, 0, 0}, true}, {0.7, 0.18, {0.95, 0, 0}, false}};
+    return {};
+}
+
+std::vector<ShapePart> shape_parts(std::string_view name, double tube_radius)
+{
+    std::vector<ShapePart> parts;
+    for (const EllipsoidPiece& piece : ellipsoid_pieces(name))
+        parts.push_back(ellipsoid(piece));
+    for (const TorusPiece& piece : torus_pieces(name, tube_radius))
+        parts.push_back(torus(piece));
+    if (name == "blob")
+        parts.push_back(blob());
+    if (name == "bumpy-torus")
+        parts.push_back(bumpy_torus());
+    if (name == "knot")
+        parts.push_back(knot());
+    if (name == "plane")
+        parts.push_back(height_sheet([]<class T>(const T&, const T&) { return T(0.0); }));
+    if (name == "sine-sheet")
+        parts.push_back(height_sheet([]<class T>(const T& x, const T&) { return T(0.1 * sin(2 * pi * x)); }));
+    if (name == "bump")
+        parts.push_back(height_sheet([]<class T>(const T& x, const T& y) { return T(0.5 * exp((x * x + y * y) * (-1 / 0.18))); }));
+    if (name == "bent-sheet")
+        parts.push_back(bent_sheet());
+    return parts;
 }
 
 } // namespace limn

@@ -21,6 +21,33 @@ struct ShapePart {
     std::function<PointJet(const dvec3&)> jet;
 };
 
+/// A piece that is an ellipsoid; its parameter is a direction d, its point centre + axes * d.
+struct EllipsoidPiece {
+    dvec3 axes = dvec3(1), centre = dvec3(0);
+};
+
+/// A piece that is a torus of axis z, or y where `upright`; its parameter is (u around the axis, v around the tube).
+struct TorusPiece {
+    double ring_radius = 1, tube_radius = 0.4;
+    dvec3 centre = dvec3(0);
+    bool upright = false;
+
+    /// From the frame of a torus of axis z at the origin into space, and back.
+    template <class T> Point<T> place(const Point<T>& p) const
+    {
+        return upright ? Point<T>{centre.x + p.x, centre.y - p.z, centre.z + p.y} : Point<T>{centre.x + p.x, centre.y + p.y, centre.z + p.z};
+    }
+    dvec3 unplace(const dvec3& p) const
+    {
+        const dvec3 d = p - centre;
+        return upright ? dvec3(d.x, d.z, -d.y) : d;
+    }
+};
+
+/// The ellipsoids and tori that a shape of that name consists of; empty for other shapes.
+std::vector<EllipsoidPiece> ellipsoid_pieces(std::string_view name);
+std::vector<TorusPiece> torus_pieces(std::string_view name, double tube_radius = 0.4);
+
 /// The pieces of a smooth shape (see `shape_names`), or none for shapes with sharp edges and unknown names.
 /// @param tube_radius  of the torus; other shapes ignore it
 std::vector<ShapePart> shape_parts(std::string_view name, double tube_radius = 0.4);
