@@ -10,7 +10,7 @@
 namespace limn {
 
 struct ReadOptions {
-    std::string format;          ///< ending to assume ("ply"); "" takes the file's own, or looks at its first bytes
+    std::string format = {};     ///< ending to assume ("ply"); "" takes the file's own, or looks at its first bytes
     bool weld = true;            ///< join vertices at bit-identical positions
     bool clean = true;           ///< drop faces with NaN or infinite vertices, and exact duplicates; count them in `notes`
     bool cache_order = true;     ///< put vertices and faces in a cache-friendly order

@@ -8,7 +8,7 @@
 namespace limn {
 
 struct WriteMeshOptions {
-    std::string format;           ///< ending to use ("obj", "ply", "stl", "glb"); "" takes the path's
+    std::string format = {};      ///< ending to use ("obj", "ply", "stl", "glb"); "" takes the path's
     bool double_positions = false; ///< PLY: write double instead of float properties; OBJ always keeps 17 digits when set
     bool normals = true;          ///< write corner normals where the mesh has them and the format can
 };
