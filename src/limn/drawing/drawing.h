@@ -44,6 +44,7 @@ struct Drawing {
     std::vector<Region> regions; ///< bottom first
     std::vector<Stroke> strokes; ///< sorted by type, then as found
     Image background;            ///< RGB, camera.size, or empty
+    double mm_per_pixel = 0;     ///< true scale on paper (--scale 1:N); 0: the page decides
 };
 
 } // namespace limn

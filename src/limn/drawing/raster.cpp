@@ -1,0 +1,79 @@
+#include "limn/drawing/raster.h"
+
+#include <cmath>
+#include <memory>
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include "limn/base/error.h"
+#include "limn/base/file.h"
+#include "limn/drawing/cairo_paint.h"
+#include "limn/drawing/png.h"
+
+namespace limn {
+namespace {
+
+struct DeleteCairo {
+    void operator()(cairo_surface_t* surface) { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* cairo) { cairo_destroy(cairo); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, DeleteCairo>;
+
+ivec2 pixels_of(const PageLayout& page, double density)
+{
+    const dvec2 size = glm::round(dvec2(page.width, page.height) / page.scale * density);
+    constexpr double largest = 32767; // Cairo's image surfaces
+    if (!(size.x >= 1 && size.y >= 1 && size.x <= largest && size.y <= largest))
+        throw Error::Input(fmt::format("--size: a picture of {:g} x {:g} pixels cannot be drawn; each side has 1..{:g}", size.x, size.y, largest));
+    return size;
+}
+
+Image image_of(cairo_surface_t* surface)
+{
+    cairo_surface_flush(surface);
+    Image image({cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface)}, 3);
+    const unsigned char* data = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const std::uint32_t pixel = reinterpret_cast<const std::uint32_t*>(data + std::ptrdiff_t(y) * stride)[x];
+            float* samples = image.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                samples[c] = float(pixel >> (16 - 8 * c) & 255) / 255.0f;
+        }
+    return image;
+}
+
+Image rasterise(const Painting& painting, double density)
+{
+    const PageLayout& page = painting.page;
+    const ivec2 size = pixels_of(page, density);
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.x, size.y));
+    const std::unique_ptr<cairo_t, DeleteCairo> cairo(cairo_create(surface.get()));
+    cairo_set_source_rgb(cairo.get(), double(painting.paper.r), double(painting.paper.g), double(painting.paper.b));
+    cairo_paint(cairo.get());
+    cairo_scale(cairo.get(), size.x / page.width, size.y / page.height);
+    paint(cairo.get(), painting);
+    if (const cairo_status_t status = cairo_status(cairo.get()); status != CAIRO_STATUS_SUCCESS)
+        throw Error::Write(fmt::format("the picture of {} x {} pixels cannot be drawn: {}", size.x, size.y, cairo_status_to_string(status)));
+    return image_of(surface.get());
+}
+
+} // namespace
+
+Image rasterise(const Drawing& drawing, const Style& style, double density) { return rasterise(compose(drawing, style), density); }
+
+std::string to_png(const Drawing& drawing, const Style& style)
+{
+    const Painting painting = compose(drawing, style);
+    const PageLayout& page = painting.page;
+    return encode_png(rasterise(painting, 1), {.bits = 8, .pixels_per_mm = 1 / (page.scale * page.mm_per_unit)});
+}
+
+void write_drawing_png(const Drawing& drawing, const std::filesystem::path& path, const Style& style)
+{
+    write_file(path, to_png(drawing, style));
+}
+
+} // namespace limn

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "limn/drawing/painting.h"
+
+namespace limn {
+
+/// The page as anti-aliased RGB picture: one pixel for each pixel of the drawing, times `density`. Without a page that
+/// is the camera's size. @throws Error::Input when it would be larger than 32767 pixels to a side.
+Image rasterise(const Drawing& drawing, const Style& style = {}, double density = 1);
+
+/// The same as an 8-bit PNG that states its resolution. @throws Error::Write
+void write_drawing_png(const Drawing& drawing, const std::filesystem::path& path, const Style& style = {});
+std::string to_png(const Drawing& drawing, const Style& style = {});
+
+} // namespace limn
