@@ -1,5 +1,7 @@
 #include "limn/lines/contour.h"
 
+#include <utility>
+
 #include "limn/base/parallel.h"
 #include "limn/lines/edge_zero.h"
 
@@ -7,6 +9,48 @@ namespace limn {
 namespace {
 
 constexpr std::size_t vertex_grain = 16384, face_grain = 8192;
+
+/// A place on a crease edge where one of its sides turns, or one of its ends.
+struct CreasePlace {
+    float s; ///< from the start of the crease's half-edge
+    vec3 point;
+    std::uint32_t id;
+};
+
+/// Appends the parts of the crease between half-edge h and its welded twin g where one side faces the eye and the other does not.
+void add_crease_outline(const LineModel& model, std::span<const float> facing, std::uint32_t h, std::vector<Segment>& out)
+{
+    const std::uint32_t g = model.welded_adjacency.twin[h];
+    const auto corner = [&](std::uint32_t half_edge) { return model.faces[half_edge / 3][int(half_edge % 3)]; };
+    const std::uint32_t i = corner(h), j = corner(next_half_edge(h));             // the side of h, from its start to its end
+    const std::uint32_t other_i = corner(next_half_edge(g)), other_j = corner(g); // the side of g, likewise
+    const auto zero_place = [&](std::uint32_t from, std::uint32_t to, std::uint32_t id) {
+        const EdgeZero zero = edge_zero(from, to, facing[from], facing[to]);
+        return CreasePlace{zero.from == from ? zero.t : 1 - zero.t, zero.mix(model.positions[zero.from], model.positions[zero.to]), id};
+    };
+    CreasePlace places[4] = {{0, model.positions[i], model.vertex_node(i)}};
+    int count = 1;
+    const bool own_turns = (facing[i] < 0) != (facing[j] < 0), other_turns = (facing[other_i] < 0) != (facing[other_j] < 0);
+    if (own_turns)
+        places[count++] = zero_place(i, j, h);
+    if (other_turns)
+        places[count++] = zero_place(other_i, other_j, g);
+    if (count == 3 && places[2].s < places[1].s)
+        std::swap(places[1], places[2]);
+    places[count++] = {1, model.positions[j], model.vertex_node(j)};
+
+    bool back = facing[i] < 0, other_back = facing[other_i] < 0;
+    for (int k = 0; k + 1 < count; ++k) {
+        back ^= places[k].id == h;
+        other_back ^= places[k].id == g;
+        if (back == other_back)
+            continue;
+        // The front keeps to the right: h has its own face to its left.
+        const CreasePlace &from = back ? places[k] : places[k + 1], &to = back ? places[k + 1] : places[k];
+        const std::uint32_t front = back ? g / 3 : h / 3, behind = back ? h / 3 : g / 3;
+        out.push_back({from.point, to.point, 1, 1, front, from.id, to.id, behind, true});
+    }
+}
 
 } // namespace
 
@@ -19,7 +63,7 @@ std::vector<float> facing_of_vertices(const LineModel& model, const View& view)
 
 std::vector<Segment> extract_contours(const LineModel& model, std::span<const float> facing)
 {
-    return parallel_collect<Segment>(model.faces.size(), face_grain, [&](std::size_t begin, std::size_t end, std::vector<Segment>& out) {
+    std::vector<Segment> segments = parallel_collect<Segment>(model.faces.size(), face_grain, [&](std::size_t begin, std::size_t end, std::vector<Segment>& out) {
         for (std::size_t f = begin; f < end; ++f) {
             const uvec3& t = model.faces[f];
             const bool s[3] = {facing[t.x] < 0, facing[t.y] < 0, facing[t.z] < 0};
@@ -43,6 +87,9 @@ std::vector<Segment> extract_contours(const LineModel& model, std::span<const fl
             out.push_back(segment);
         }
     });
+    for (const std::uint32_t h : model.split_edges)
+        add_crease_outline(model, facing, h, segments);
+    return segments;
 }
 
 } // namespace limn

@@ -15,6 +15,8 @@ std::vector<float> facing_of_vertices(const LineModel& model, const View& view);
 /// per face with mixed signs, in the order of the faces. Each is directed so that the front (n.v >= 0) lies to its right
 /// seen from outside: it enters its face by edge_a and leaves by edge_b, and the next face enters where it leaves.
 /// Both generators, in front and behind, visible or not.
+/// Where the model was split along creases, the parts of crease edges follow whose two sides differ in sign: with them the
+/// curves stay closed (Segment::along_edge).
 std::vector<Segment> extract_contours(const LineModel& model, std::span<const float> facing);
 
 } // namespace limn

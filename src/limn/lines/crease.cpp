@@ -18,8 +18,8 @@ constexpr float least_height = 1e-6f;
 // Edges longer than this part of their shell's radius were put there one by one: they need not stand out.
 constexpr float short_edge = 0.05f;
 
-std::uint32_t tail(const LineModel& model, std::uint32_t h) { return model.faces[h / 3][int(h % 3)]; }
-std::uint32_t head(const LineModel& model, std::uint32_t h) { return model.faces[h / 3][int((h + 1) % 3)]; }
+std::uint32_t tail(const LineModel& model, std::uint32_t h) { return model.welded(model.faces[h / 3][int(h % 3)]); }
+std::uint32_t head(const LineModel& model, std::uint32_t h) { return model.welded(model.faces[h / 3][int((h + 1) % 3)]); }
 
 float edge_length(const LineModel& model, std::uint32_t h)
 {
@@ -52,7 +52,7 @@ std::vector<vec3> face_normals(const LineModel& model)
     parallel_each(own.size(), grain, [&](std::size_t f) {
         if (own[f] != vec3(0))
             return;
-        const std::uint32_t other = model.adjacency.twin[longest_half_edge(model, std::uint32_t(f))];
+        const std::uint32_t other = model.solid().twin[longest_half_edge(model, std::uint32_t(f))];
         if (other != none)
             normals[f] = own[other / 3];
     });
@@ -73,10 +73,10 @@ bool repeats_a_vertex(const uvec3& t) { return t.x == t.y || t.y == t.z || t.z =
 
 std::vector<UnpairedEdge> unpaired_edges(const LineModel& model)
 {
-    auto edges = parallel_collect<UnpairedEdge>(model.adjacency.twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
+    auto edges = parallel_collect<UnpairedEdge>(model.solid().twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t h = std::uint32_t(i);
-            if (model.adjacency.twin[h] == none && !repeats_a_vertex(model.faces[h / 3]))
+            if (model.solid().twin[h] == none && !repeats_a_vertex(model.faces[h / 3]))
                 out.push_back({std::min(tail(model, h), head(model, h)), std::max(tail(model, h), head(model, h)), h});
         }
     });
@@ -151,7 +151,7 @@ float bend_beside(const LineModel& model, const std::vector<vec3>& normals, std:
 {
     float least = std::numbers::pi_v<float>;
     for (std::uint32_t g = next_half_edge(h); g != h; g = next_half_edge(g)) {
-        const std::uint32_t other = model.adjacency.twin[g];
+        const std::uint32_t other = model.solid().twin[g];
         least = std::min(least, other == none ? 0.0f : std::abs(edge_between(model, normals, g, other).angle));
     }
     return least;
@@ -172,16 +172,16 @@ bool CreaseTest::lies_in_rounding(const FeatureEdge& edge, std::uint32_t h) cons
 {
     if (edge_length(model, h) > short_edge * shell_radius[model.component[edge.face]])
         return false;
-    const float beside = std::max(bend_beside(model, normals, h), bend_beside(model, normals, model.adjacency.twin[h]));
+    const float beside = std::max(bend_beside(model, normals, h), bend_beside(model, normals, model.solid().twin[h]));
     return std::abs(edge.angle) < prominence * beside;
 }
 
 std::vector<FeatureEdge> paired_creases(const CreaseTest& test)
 {
     const LineModel& model = test.model;
-    return parallel_collect<FeatureEdge>(model.adjacency.twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
+    return parallel_collect<FeatureEdge>(model.solid().twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t h = std::uint32_t(i), g = model.adjacency.twin[h];
+            const std::uint32_t h = std::uint32_t(i), g = model.solid().twin[h];
             if (g == none || g < h)
                 continue;
             const FeatureEdge edge = edge_between(model, test.normals, h, g);
@@ -207,7 +207,7 @@ void sort_by_half_edge(const LineModel& model, std::vector<FeatureEdge>& edges)
 {
     const auto key = [&](const FeatureEdge& e) {
         const uvec3 t = model.faces[e.face];
-        return std::pair(e.face, t.x == e.a ? 0 : (t.y == e.a ? 1 : 2));
+        return std::pair(e.face, model.welded(t.x) == e.a ? 0 : (model.welded(t.y) == e.a ? 1 : 2));
     };
     std::sort(edges.begin(), edges.end(), [&](const FeatureEdge& x, const FeatureEdge& y) { return key(x) < key(y); });
 }
@@ -243,7 +243,7 @@ std::vector<Segment> edge_segments(const LineModel& model, std::span<const Featu
     std::vector<Segment> segments(edges.size());
     parallel_each(edges.size(), grain, [&](std::size_t i) {
         const FeatureEdge& e = edges[i];
-        segments[i] = {model.positions[e.a], model.positions[e.b], 1, 1, e.face, e.a, e.b};
+        segments[i] = {model.positions[e.a], model.positions[e.b], 1, 1, e.face, e.a, e.b, e.other, true};
     });
     return segments;
 }

@@ -1,5 +1,7 @@
 #include "limn/lines/element_test.h"
 
+#include <cmath>
+
 namespace limn {
 namespace {
 
@@ -19,27 +21,6 @@ vec3 face_normal(const LineModel& m, std::uint32_t face)
     return glm::cross(m.positions[t.y] - m.positions[t.x], m.positions[t.z] - m.positions[t.x]);
 }
 
-/// The face on the other side of the edge between two vertices of a face, or `none`.
-std::uint32_t face_across(const LineModel& m, std::uint32_t face, std::uint32_t v0, std::uint32_t v1)
-{
-    for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
-        const std::uint32_t a = m.faces[face][int(h % 3)], b = m.faces[face][int((h + 1) % 3)];
-        if ((a == v0 && b == v1) || (a == v1 && b == v0))
-            return m.adjacency.twin[h] == none ? none : m.adjacency.twin[h] / 3;
-    }
-    return none;
-}
-
-/// True if the neighbour bends away below the face's plane (a ridge), seen from outside.
-bool is_convex(const LineModel& m, std::uint32_t face, std::uint32_t other, std::uint32_t v0, std::uint32_t v1)
-{
-    const uvec3& t = m.faces[other];
-    for (int k = 0; k < 3; ++k)
-        if (t[k] != v0 && t[k] != v1)
-            return glm::dot(face_normal(m, face), m.positions[t[k]] - m.positions[v0]) <= 0;
-    return true;
-}
-
 } // namespace
 
 float facing_in_face(const LineModel& model, std::span<const float> facing, std::uint32_t face, const vec3& p)
@@ -54,20 +35,31 @@ float facing_in_face(const LineModel& model, std::span<const float> facing, std:
     return (1 - u - v) * facing[t.x] + u * facing[t.y] + v * facing[t.z];
 }
 
+bool bends_away(const LineModel& m, const Segment& s)
+{
+    // The corner of the other face that is farthest from the edge; the other two lie on it.
+    const vec3 normal = face_normal(m, s.face);
+    float height = 0;
+    for (int k = 0; k < 3; ++k)
+        if (const float d = glm::dot(normal, m.positions[m.faces[s.other][k]] - s.a); std::abs(d) > std::abs(height))
+            height = d;
+    return height <= 0;
+}
+
 bool is_front_face(const LineModel& model, const View& view, std::uint32_t face)
 {
     return glm::dot(face_normal(model, face), view.to_eye(model.positions[model.faces[face].x])) > 0;
 }
 
-bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, std::uint32_t face, const vec3& p, float step)
+bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const Segment& s, const vec3& p, float step)
 {
-    if (rule == VisibilityRule::surface && facing_in_face(c.model, c.facing, face, p) < 0)
+    if (rule == VisibilityRule::surface && facing_in_face(c.model, c.facing, s.face, p) < 0)
         return false;
     float unit = 1;
     const Ray ray = ray_to_eye(c.view, p, unit);
-    const std::uint32_t component = c.model.component[face];
+    const std::uint32_t component = c.model.component[s.face];
     return !c.rays.occluded(ray, [&](const Hit& hit) {
-        if (hit.triangle == face)
+        if (hit.triangle == s.face || hit.triangle == s.other)
             return false;
         const uvec3& t = c.model.faces[hit.triangle];
         const float f = (1 - hit.u - hit.v) * c.facing[t.x] + hit.u * c.facing[t.y] + hit.v * c.facing[t.z];
@@ -78,17 +70,15 @@ bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, std::ui
 
 bool is_edge_point_visible(const ViewContext& c, const Segment& s, const vec3& p, float step)
 {
-    const std::uint32_t other = face_across(c.model, s.face, s.edge_a, s.edge_b);
-    if (other != none) {
-        const bool front = is_front_face(c.model, c.view, s.face), front_too = is_front_face(c.model, c.view, other);
-        const bool convex = is_convex(c.model, s.face, other, s.edge_a, s.edge_b);
-        if (convex ? !front && !front_too : !(front && front_too))
+    if (s.other != none) {
+        const bool front = is_front_face(c.model, c.view, s.face), front_too = is_front_face(c.model, c.view, s.other);
+        if (bends_away(c.model, s) ? !front && !front_too : !(front && front_too))
             return false;
     }
     float unit = 1;
     Ray ray = ray_to_eye(c.view, p, unit);
     ray.near = unit > 0 ? 0.02f * step / unit : 0;
-    return !c.rays.occluded(ray, [&](const Hit& hit) { return hit.triangle != s.face && hit.triangle != other; });
+    return !c.rays.occluded(ray, [&](const Hit& hit) { return hit.triangle != s.face && hit.triangle != s.other; });
 }
 
 } // namespace limn

@@ -20,7 +20,7 @@ void check(std::span<const PlacedSurface> placed)
     for (const PlacedSurface& p : placed) {
         const std::size_t n = p.mesh->positions.size();
         const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
-        if (p.surface->normals.size() != n || !fits(p.surface->k1.size()) || !fits(p.surface->derivative.size()))
+        if (!fits(p.surface->normals.size()) || !fits(p.surface->k1.size()) || !fits(p.surface->derivative.size()))
             throw Error::Input(fmt::format("a surface of {} normals does not fit its mesh of {} vertices", p.surface->normals.size(), n));
     }
 }
@@ -54,7 +54,8 @@ void append(LineModel& model, const PlacedSurface& p, std::uint32_t offset)
     parallel_each(n, grain, [&](std::size_t i) {
         const std::size_t o = offset + i;
         model.positions[o] = model.from_world(moved ? transform_point(p.transform, mesh.positions[i]) : mesh.positions[i]);
-        model.normals[o] = rotation * surface.normals[i];
+        if (!model.normals.empty() && !surface.normals.empty())
+            model.normals[o] = rotation * surface.normals[i];
         if (model.has_curvature() && surface.has_curvature()) {
             model.e1[o] = rotation * surface.e1[i];
             model.e2[o] = rotation * surface.e2[i];
@@ -64,6 +65,8 @@ void append(LineModel& model, const PlacedSurface& p, std::uint32_t offset)
         if (model.has_derivative() && surface.has_derivative())
             model.derivative[o] = surface.derivative[i] * (unit * unit);
     });
+    if (!model.weld.empty())
+        parallel_each(n, grain, [&](std::size_t i) { model.weld[offset + i] = offset + (p.weld.empty() ? std::uint32_t(i) : p.weld[i]); });
     model.faces.resize(first + mesh.triangles.size());
     parallel_each(mesh.triangles.size(), grain, [&](std::size_t f) { model.faces[first + f] = mesh.triangles[f] + offset; });
 }
@@ -76,6 +79,25 @@ void tame_unused_vertices(LineModel& model)
         if (!(glm::dot(p, p) < 1e6f))
             model.positions[i] = vec3(0);
     });
+}
+
+/// Finds the neighbours of faces, and in a model that was split along creases the edges of the creases.
+void connect(LineModel& model)
+{
+    const std::size_t vertices = model.vertex_count();
+    model.adjacency = build_adjacency(model.faces, vertices);
+    if (!model.weld.empty()) {
+        std::vector<uvec3> welded(model.faces.size());
+        parallel_each(welded.size(), grain, [&](std::size_t f) {
+            for (int k = 0; k < 3; ++k)
+                welded[f][k] = model.weld[model.faces[f][k]];
+        });
+        model.welded_adjacency = build_adjacency(welded, vertices);
+        for (std::uint32_t h = 0; h < 3 * model.faces.size(); ++h)
+            if (const std::uint32_t g = model.welded_adjacency.twin[h]; g != none && h < g && model.adjacency.twin[h] == none)
+                model.split_edges.push_back(h);
+    }
+    model.component = find_shells(model.solid());
 }
 
 } // namespace
@@ -98,17 +120,20 @@ LineModel build_line_model(std::span<const PlacedSurface> placed)
     LineModel model;
     Bounds box;
     std::size_t vertices = 0;
-    bool curvature = true, derivative = true;
+    bool normals = true, curvature = true, derivative = true, split = false;
     for (const PlacedSurface& p : placed) {
         box.add(world_bounds(p));
         vertices += p.mesh->positions.size();
+        normals = normals && !p.surface->normals.empty();
         curvature = curvature && p.surface->has_curvature();
         derivative = derivative && p.surface->has_derivative();
+        split = split || !p.weld.empty();
     }
     model.centre = box.centre();
     model.scale = box.radius() > 0 ? box.radius() : 1;
     model.positions.resize(vertices + 1); // the ray tracer loads 16 bytes at the last vertex
-    model.normals.resize(vertices);
+    if (normals)
+        model.normals.resize(vertices);
     if (curvature) {
         model.e1.resize(vertices);
         model.e2.resize(vertices);
@@ -117,6 +142,8 @@ LineModel build_line_model(std::span<const PlacedSurface> placed)
         if (derivative)
             model.derivative.resize(vertices);
     }
+    if (split)
+        model.weld.resize(vertices);
     std::uint32_t offset = 0;
     for (const PlacedSurface& p : placed) {
         model.first_face.push_back(std::uint32_t(model.faces.size()));
@@ -127,8 +154,7 @@ LineModel build_line_model(std::span<const PlacedSurface> placed)
     model.first_face.push_back(std::uint32_t(model.faces.size()));
     model.first_vertex.push_back(offset);
     tame_unused_vertices(model);
-    model.adjacency = build_adjacency(model.faces, vertices);
-    model.component = find_shells(model.adjacency);
+    connect(model);
     return model;
 }
 

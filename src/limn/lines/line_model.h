@@ -15,6 +15,9 @@ struct PlacedSurface {
     const Mesh* mesh = nullptr;
     const Surface* surface = nullptr;
     dmat4 transform = dmat4(1); ///< rotation, translation and uniform scale
+    /// Per vertex the first vertex at the same place, where the mesh was split along its creases (split_at_creases);
+    /// empty: every vertex is its own.
+    std::span<const std::uint32_t> weld = {};
 };
 
 /// The eye in the frame of a LineModel.
@@ -30,22 +33,32 @@ struct LineModel {
     dvec3 centre = dvec3(0);
     double scale = 1;            ///< world = centre + scale * position
 
-    // Per vertex. `positions` has one spare element at its end for the ray tracer (RayTriangles).
+    // Per vertex. `positions` has one spare element at its end for the ray tracer (RayTriangles). Each of the others may be empty.
     std::vector<vec3> positions, normals, e1, e2;
     std::vector<float> k1, k2;
     std::vector<vec4> derivative;       ///< P Q S T
     // Per face.
     std::vector<uvec3> faces;
     std::vector<std::uint32_t> component; ///< (object, shell), numbered from 0
-    Adjacency adjacency;
+    Adjacency adjacency;                  ///< across edges where the surface is smooth
+    // Where the mesh was split along creases; all empty where it was not.
+    std::vector<std::uint32_t> weld;      ///< per vertex: the first one at the same place
+    Adjacency welded_adjacency;           ///< across every edge, creases too
+    std::vector<std::uint32_t> split_edges; ///< per crease one half-edge, the smaller of the two; ascending
     // Per object.
     std::vector<std::uint32_t> first_face, first_vertex; ///< one entry per object, and the total at the end
 
-    std::size_t vertex_count() const { return normals.size(); }
+    std::size_t vertex_count() const { return positions.empty() ? 0 : positions.size() - 1; }
     bool has_curvature() const { return !k1.empty(); }
     bool has_derivative() const { return !derivative.empty(); }
     dvec3 to_world(const vec3& p) const { return centre + scale * dvec3(p); }
     vec3 from_world(const dvec3& p) const { return vec3((p - centre) / scale); }
+    /// Neighbours of faces in the solid, whether the edge between them is smooth or a crease.
+    const Adjacency& solid() const { return weld.empty() ? adjacency : welded_adjacency; }
+    /// The vertex that stands for all at the same place.
+    std::uint32_t welded(std::uint32_t vertex) const { return weld.empty() ? vertex : weld[vertex]; }
+    /// The id of a vertex among those of edges, for ends of lines that lie on vertices.
+    std::uint32_t vertex_node(std::uint32_t vertex) const { return std::uint32_t(3 * faces.size()) + welded(vertex); }
     View view(const Camera& camera) const;
     std::uint32_t object_of_face(std::uint32_t face) const;
 };

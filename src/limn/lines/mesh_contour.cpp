@@ -34,7 +34,7 @@ std::uint8_t side_of_longest_neighbour(const LineModel& model, const std::vector
     for (std::uint32_t h = 3 * face + 1; h < 3 * face + 3; ++h)
         if (edge_length_squared(model, h) > edge_length_squared(model, longest))
             longest = h;
-    const std::uint32_t other = model.adjacency.twin[longest];
+    const std::uint32_t other = model.solid().twin[longest];
     return other != none && sides[other / 3] == front ? front : back;
 }
 
@@ -56,15 +56,16 @@ std::vector<Segment> extract_mesh_contours(const LineModel& model, const View& v
 {
     const std::vector<std::uint8_t> is_front = front_faces(model, view);
     const auto separates = [&](std::uint32_t half_edge) {
-        const std::uint32_t other = model.adjacency.twin[half_edge];
+        const std::uint32_t other = model.solid().twin[half_edge];
         return other == none ? options.borders : !is_front[other / 3];
     };
     return parallel_collect<Segment>(model.faces.size(), grain, [&](std::size_t begin, std::size_t end, auto& out) {
         for (std::size_t f = begin; f < end; ++f)
             for (int k = 0; is_front[f] && k < 3; ++k)
                 if (separates(std::uint32_t(3 * f) + std::uint32_t(k))) {
-                    const std::uint32_t a = model.faces[f][k], b = model.faces[f][(k + 1) % 3];
-                    out.push_back({model.positions[a], model.positions[b], 1, 1, std::uint32_t(f), a, b});
+                    const std::uint32_t a = model.welded(model.faces[f][k]), b = model.welded(model.faces[f][(k + 1) % 3]);
+                    const std::uint32_t twin = model.solid().twin[3 * f + std::size_t(k)];
+                    out.push_back({model.positions[a], model.positions[b], 1, 1, std::uint32_t(f), a, b, twin == none ? none : twin / 3, true});
                 }
     });
 }

@@ -25,7 +25,7 @@ float radial_curvature_at(const ViewContext& c, std::uint32_t vertex)
 /// Radial curvature where the contour crosses a mesh edge.
 float radial_curvature_on_edge(const ViewContext& c, std::uint32_t edge)
 {
-    if (edge == none)
+    if (edge == none || edge >= 3 * c.model.faces.size())
         return 0;
     const uvec3& t = c.model.faces[edge / 3];
     const std::uint32_t i = t[int(edge % 3)], j = t[int((edge + 1) % 3)];
@@ -33,18 +33,30 @@ float radial_curvature_on_edge(const ViewContext& c, std::uint32_t edge)
     return zero.mix(radial_curvature_at(c, zero.from), radial_curvature_at(c, zero.to));
 }
 
-/// One (1,2,1)/4 pass over the nodes of a chain; the ends of an open chain stay.
-void smooth(std::vector<float>& nodes, bool closed)
+/// A crease curves without bound: outwards it can be an outline, inwards it is hidden by the side behind it.
+float crease_curvature(const LineModel& model, const Segment& s) { return bends_away(model, s) ? 1e6f : -1e6f; }
+
+/// One (1,2,1)/4 pass over the nodes of a chain; fixed nodes stay.
+void smooth(std::vector<float>& nodes, const std::vector<std::uint8_t>& fixed)
 {
     const std::size_t n = nodes.size();
-    if (n < 3)
-        return;
     const std::vector<float> old = nodes;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (!closed && (i == 0 || i + 1 == n))
-            continue;
-        nodes[i] = 0.25f * (old[(i + n - 1) % n] + old[(i + 1) % n]) + 0.5f * old[i];
-    }
+    for (std::size_t i = 0; i < n; ++i)
+        if (!fixed[i])
+            nodes[i] = 0.25f * (old[(i + n - 1) % n] + old[(i + 1) % n]) + 0.5f * old[i];
+}
+
+/// Nodes next to a crease and the ends of an open chain have no two neighbours on one smooth piece.
+std::vector<std::uint8_t> fixed_nodes(std::span<const Segment> segments, std::span<const Link> links, bool closed)
+{
+    const std::size_t n = links.size() + (closed ? 0 : 1);
+    std::vector<std::uint8_t> fixed(n, n < 3);
+    for (std::size_t i = 0; i < links.size(); ++i)
+        if (segments[links[i].segment].along_edge)
+            fixed[i] = fixed[(i + 1) % n] = 1;
+    if (!closed)
+        fixed.front() = fixed.back() = 1;
+    return fixed;
 }
 
 /// Where n.v, linear in the segment's face, is zero on it; negative where there is no such place.
@@ -52,6 +64,13 @@ float turning_point(const ViewContext& c, const Segment& s)
 {
     const float a = facing_in_face(c.model, c.facing, s.face, s.a), b = facing_in_face(c.model, c.facing, s.face, s.b);
     return (a < 0) == (b < 0) ? -1 : a / (a - b);
+}
+
+/// Points along the normal of a face, averaged from its corners.
+dvec3 normal_sum(const LineModel& model, std::uint32_t face)
+{
+    const uvec3& t = model.faces[face];
+    return dvec3(model.normals[t.x] + model.normals[t.y] + model.normals[t.z]);
 }
 
 struct Place {
@@ -216,21 +235,27 @@ LinkCurvature curvature_along_contours(const ViewContext& c, std::span<const Seg
         return result;
     result.enter.resize(chains.links.size());
     result.leave.resize(chains.links.size());
-    const auto id = [&](const Link& link, bool enter) {
+    const auto at = [&](const Link& link, bool enter) {
         const Segment& s = segments[link.segment];
-        return enter != link.reversed ? s.edge_a : s.edge_b;
+        return s.along_edge ? 0 : radial_curvature_on_edge(c, enter != link.reversed ? s.edge_a : s.edge_b);
     };
-    parallel_each(chains.links.size(), grain, [&](std::size_t l) { result.enter[l] = radial_curvature_on_edge(c, id(chains.links[l], true)); });
+    parallel_each(chains.links.size(), grain, [&](std::size_t l) { result.enter[l] = at(chains.links[l], true); });
     parallel_each(chains.size(), 1, [&](std::size_t chain) {
         const std::uint32_t begin = chains.start[chain], end = chains.start[chain + 1];
         std::vector<float> nodes(result.enter.begin() + begin, result.enter.begin() + end);
         if (!chains.closed[chain])
-            nodes.push_back(radial_curvature_on_edge(c, id(chains.links[end - 1], false)));
-        smooth(nodes, chains.closed[chain]);
-        smooth(nodes, chains.closed[chain]);
+            nodes.push_back(at(chains.links[end - 1], false));
+        // Where a smooth piece meets a crease, the node belongs to the smooth piece.
+        for (std::uint32_t l = begin; l + 1 < end; ++l)
+            if (segments[chains.links[l + 1].segment].along_edge)
+                nodes[l + 1 - begin] = at(chains.links[l], false);
+        const std::vector<std::uint8_t> fixed = fixed_nodes(segments, chains[chain], chains.closed[chain]);
+        smooth(nodes, fixed);
+        smooth(nodes, fixed);
         for (std::uint32_t l = begin; l < end; ++l) {
-            result.enter[l] = nodes[l - begin];
-            result.leave[l] = nodes[(l - begin + 1) % nodes.size()];
+            const Segment& s = segments[chains.links[l].segment];
+            result.enter[l] = s.along_edge ? crease_curvature(c.model, s) : nodes[l - begin];
+            result.leave[l] = s.along_edge ? result.enter[l] : nodes[(l - begin + 1) % nodes.size()];
         }
     });
     return result;
@@ -244,8 +269,7 @@ std::vector<Occluder> occluders_of_contours(const ViewContext& c, std::span<cons
             if (!curvature.enter.empty() && curvature.enter[l] + curvature.leave[l] < 0)
                 continue;
             const Segment& s = segments[chains.links[l].segment];
-            const uvec3& t = c.model.faces[s.face];
-            const dvec3 normal = dvec3(c.model.normals[t.x] + c.model.normals[t.y] + c.model.normals[t.z]);
+            const dvec3 normal = normal_sum(c.model, s.face) + (s.other == none ? dvec3(0) : normal_sum(c.model, s.other));
             const dvec2 outward = {glm::dot(normal, c.projector.right), -glm::dot(normal, c.projector.above)};
             out.push_back({c.projector.project(s.a), c.projector.project(s.b), outward, s.edge_a, s.edge_b});
         }
@@ -276,7 +300,7 @@ ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::sp
             }
         }
         const vec3 p = glm::mix(s.a, s.b, middle);
-        e.visible = rule == VisibilityRule::edge ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s.face, p, e.step);
+        e.visible = rule == VisibilityRule::edge ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step);
     });
     parallel_each(chains.size(), 1, [&](std::size_t chain) {
         const std::span<Element> elements(result.elements.data() + result.start[chain], result.elements.data() + result.start[chain + 1]);
