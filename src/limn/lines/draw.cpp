@@ -1,9 +1,13 @@
 #include "limn/lines/draw.h"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "limn/lines/clip.h"
 #include "limn/lines/contour.h"
+#include "limn/lines/inside.h"
+#include "limn/lines/mesh_contour.h"
 #include "limn/lines/strokes.h"
 #include "limn/lines/visibility.h"
 
@@ -23,19 +27,48 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The segments of one type, chained.
-struct ChainedLines {
+/// The segments of one type.
+struct TypedLines {
     LineType type;
     VisibilityRule rule;
     std::vector<Segment> segments;
-    Chains chains;
 };
 
-ChainedLines chained(LineType type, VisibilityRule rule, std::vector<Segment> segments, const Projector& projector)
+/// Everything but contours, which are always found, since they hide the others.
+std::vector<TypedLines> extract_other_lines(const LineModel& model, const View& view, const LineFeatures& features, const LineOptions& options)
 {
-    clip_to_near_plane(segments, projector);
-    Chains chains = chain_segments(segments);
-    return {type, rule, std::move(segments), std::move(chains)};
+    std::vector<TypedLines> lines;
+    const auto add = [&](LineType type, VisibilityRule rule, auto&& extract) {
+        if (options.has(type))
+            lines.push_back({type, rule, extract()});
+    };
+    std::vector<std::uint8_t> codes;
+    if (options.has(LineType::suggestive) || options.has(LineType::highlight))
+        codes = view_codes(model, view);
+    add(LineType::highlight, VisibilityRule::surface,
+        [&] { return extract_suggestive(model, view, codes, suggestive_options(options, features, true), &features.suggestive); });
+    add(LineType::suggestive, VisibilityRule::surface,
+        [&] { return extract_suggestive(model, view, codes, suggestive_options(options, features, false), &features.suggestive); });
+    add(LineType::crease, VisibilityRule::edge, [&] { return features.creases; });
+    add(LineType::border, VisibilityRule::edge, [&] { return features.borders; });
+    add(LineType::mesh_contour, VisibilityRule::edge, [&] { return extract_mesh_contours(model, view); });
+    return lines;
+}
+
+/// Borders hide what lies behind the face that they end.
+void add_border_occluders(const ViewContext& c, std::span<const Segment> borders, std::vector<Occluder>& occluders)
+{
+    for (const Segment& s : borders) {
+        const dvec3 a = c.projector.project(s.a), b = c.projector.project(s.b);
+        if (!(std::min(a.z, b.z) > 0 || c.projector.orthographic))
+            continue;
+        const uvec3& t = c.model.faces[s.face];
+        const dvec3 inner = c.projector.project((c.model.positions[t.x] + c.model.positions[t.y] + c.model.positions[t.z]) / 3.0f);
+        dvec2 outward = {b.y - a.y, a.x - b.x};
+        if (glm::dot(outward, dvec2(inner) - dvec2(a)) > 0)
+            outward = -outward;
+        occluders.push_back({a, b, outward, s.edge_a, s.edge_b});
+    }
 }
 
 void count(DrawReport& report, const Stroke& stroke)
@@ -43,6 +76,74 @@ void count(DrawReport& report, const Stroke& stroke)
     DrawReport::PerType& type = report.types[std::size_t(stroke.type)];
     type.strokes += stroke.visible;
     (stroke.visible ? type.visible_pixels : type.hidden_pixels) += length_in_picture(stroke);
+}
+
+SuggestiveOptions suggestive_options(const LineOptions& options, const LineFeatures& features, bool highlight)
+{
+    SuggestiveOptions result;
+    result.feature_size = features.feature_size;
+    result.limit = float(highlight ? options.highlight_limit : options.suggestive_limit);
+    result.fade = float(options.fade);
+    result.speed_limit = float(options.speed_limit);
+    result.highlight = highlight;
+    return result;
+}
+
+/// Draws the lines of a model whose closed components all have the eye outside.
+Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
+                          const LineOptions& options, DrawReport* report)
+{
+    DrawReport unread;
+    DrawReport& measured = report ? *report : unread;
+    measured = {};
+    Stopwatch watch;
+    const View view = model.view(camera);
+    const Projector projector(model, camera);
+    const std::vector<float> facing = facing_of_vertices(model, view);
+    const ViewContext context = {model, rays, view, projector, facing};
+    TypedLines contours = {LineType::contour, VisibilityRule::contour, extract_contours(model, facing)};
+    std::vector<TypedLines> others = extract_other_lines(model, view, features, options);
+    measured.extract_seconds = watch.lap();
+
+    Drawing drawing;
+    drawing.camera = camera;
+    const auto add_strokes = [&](const TypedLines& lines, const Chains& chains, const ChainElements& decided) {
+        StrokeOptions wanted;
+        wanted.type = lines.type;
+        wanted.size = camera.size;
+        wanted.keep_hidden = options.hidden != Hidden::remove;
+        std::vector<Stroke> strokes = make_strokes(context, lines.segments, chains, decided, wanted);
+        measured.types[std::size_t(lines.type)].segments = lines.segments.size();
+        for (Stroke& stroke : strokes) {
+            count(measured, stroke);
+            drawing.strokes.push_back(std::move(stroke));
+        }
+        measured.chain_seconds += watch.lap();
+    };
+
+    clip_to_near_plane(contours.segments, projector);
+    const Chains chains = chain_segments(contours.segments);
+    const LinkCurvature curvature = curvature_along_contours(context, contours.segments, chains);
+    measured.chain_seconds += watch.lap();
+    std::vector<Occluder> hiding = occluders_of_contours(context, contours.segments, chains, curvature);
+    add_border_occluders(context, features.borders, hiding);
+    const OccluderGrid occluders(std::move(hiding), camera);
+    if (options.has(LineType::contour)) {
+        const ChainElements decided = find_visibility(context, contours.rule, contours.segments, chains, curvature, occluders);
+        measured.visibility_seconds += watch.lap();
+        add_strokes(contours, chains, decided);
+    }
+    for (TypedLines& lines : others) {
+        clip_to_near_plane(lines.segments, projector);
+        const Chains line_chains = chain_segments(lines.segments);
+        measured.chain_seconds += watch.lap();
+        const ChainElements decided = find_visibility(context, lines.rule, lines.segments, line_chains, {}, occluders);
+        measured.visibility_seconds += watch.lap();
+        add_strokes(lines, line_chains, decided);
+    }
+    std::stable_sort(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
+    measured.chain_seconds += watch.lap();
+    return drawing;
 }
 
 } // namespace
@@ -53,41 +154,24 @@ RayScene build_ray_scene(const LineModel& model)
     return RayScene({&all, 1});
 }
 
+Drawing draw_lines(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
+                   const LineOptions& options, DrawReport* report)
+{
+    const View view = model.view(camera);
+    if (const std::vector<std::uint32_t> around = components_around(model, rays, view); !around.empty()) {
+        const LineModel inside = turned_inside_out(model, around);
+        const RayScene inside_rays = build_ray_scene(inside);
+        Drawing drawing = draw_from_outside(inside, inside_rays, find_line_features(inside, options), camera, options, report);
+        if (report)
+            report->camera_inside = true;
+        return drawing;
+    }
+    return draw_from_outside(model, rays, features, camera, options, report);
+}
+
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const Camera& camera, const LineOptions& options, DrawReport* report)
 {
-    DrawReport unread;
-    DrawReport& measured = report ? *report : unread;
-    measured = {};
-    Stopwatch watch;
-
-    const View view = model.view(camera);
-    const Projector projector(model, camera);
-    const std::vector<float> facing = facing_of_vertices(model, view);
-    const ViewContext context = {model, rays, view, projector, facing};
-    std::vector<Segment> contour_segments = extract_contours(model, facing);
-    measured.extract_seconds = watch.lap();
-
-    const ChainedLines contours = chained(LineType::contour, VisibilityRule::contour, std::move(contour_segments), projector);
-    const LinkCurvature curvature = curvature_along_contours(context, contours.segments, contours.chains);
-    measured.chain_seconds = watch.lap();
-    const OccluderGrid occluders(occluders_of_contours(context, contours.segments, contours.chains, curvature), camera);
-    const ChainElements decided = find_visibility(context, contours.rule, contours.segments, contours.chains, curvature, occluders);
-    measured.visibility_seconds = watch.lap();
-
-    Drawing drawing;
-    drawing.camera = camera;
-    if (options.has(LineType::contour)) {
-        StrokeOptions stroke_options;
-        stroke_options.type = LineType::contour;
-        stroke_options.size = camera.size;
-        stroke_options.keep_hidden = options.hidden != Hidden::remove;
-        drawing.strokes = make_strokes(context, contours.segments, contours.chains, decided, stroke_options);
-        measured.types[std::size_t(LineType::contour)].segments = contours.segments.size();
-        for (const Stroke& stroke : drawing.strokes)
-            count(measured, stroke);
-    }
-    measured.chain_seconds += watch.lap();
-    return drawing;
+    return draw_lines(model, rays, find_line_features(model, options), camera, options, report);
 }
 
 Drawing draw(const Mesh& mesh, const Surface& surface, const Camera& camera, const LineOptions& options)

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <memory>
+#include <array>
 #include <span>
 
 #include "limn/drawing/drawing.h"
+#include "limn/lines/features.h"
 #include "limn/lines/line_model.h"
 #include "limn/lines/options.h"
 #include "limn/raycast/ray_scene.h"
@@ -22,6 +23,10 @@ struct DrawReport {
 };
 
 /// Draws the lines of a model from one camera: extract, chain, cut, test visibility, decide, simplify.
+/// @param features  find_line_features(model, options), found once for many views
+Drawing draw_lines(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
+                   const LineOptions& options, DrawReport* report = nullptr);
+/// The same for a single view.
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const Camera& camera, const LineOptions& options, DrawReport* report = nullptr);
 
 /// The same in one call from a mesh with its surface (builds the model and the ray scene).

@@ -81,10 +81,24 @@ void tame_unused_vertices(LineModel& model)
     });
 }
 
-/// Finds the neighbours of faces, and in a model that was split along creases the edges of the creases.
-void connect(LineModel& model)
+} // namespace
+
+View LineModel::view(const Camera& camera) const
+{
+    if (camera.orthographic)
+        return {true, vec3(-camera.forward())};
+    return {false, from_world(camera.eye)};
+}
+
+std::uint32_t LineModel::object_of_face(std::uint32_t face) const
+{
+    return std::uint32_t(std::upper_bound(first_face.begin() + 1, first_face.end() - 1, face) - first_face.begin() - 1);
+}
+
+void connect_faces(LineModel& model)
 {
     const std::size_t vertices = model.vertex_count();
+    model.split_edges.clear();
     model.adjacency = build_adjacency(model.faces, vertices);
     if (!model.weld.empty()) {
         std::vector<uvec3> welded(model.faces.size());
@@ -98,20 +112,6 @@ void connect(LineModel& model)
                 model.split_edges.push_back(h);
     }
     model.component = find_shells(model.solid());
-}
-
-} // namespace
-
-View LineModel::view(const Camera& camera) const
-{
-    if (camera.orthographic)
-        return {true, vec3(-camera.forward())};
-    return {false, from_world(camera.eye)};
-}
-
-std::uint32_t LineModel::object_of_face(std::uint32_t face) const
-{
-    return std::uint32_t(std::upper_bound(first_face.begin() + 1, first_face.end() - 1, face) - first_face.begin() - 1);
 }
 
 LineModel build_line_model(std::span<const PlacedSurface> placed)
@@ -154,7 +154,7 @@ LineModel build_line_model(std::span<const PlacedSurface> placed)
     model.first_face.push_back(std::uint32_t(model.faces.size()));
     model.first_vertex.push_back(offset);
     tame_unused_vertices(model);
-    connect(model);
+    connect_faces(model);
     return model;
 }
 

@@ -66,4 +66,7 @@ struct LineModel {
 /// @throws Error::Input when a surface does not fit its mesh or no mesh is given.
 LineModel build_line_model(std::span<const PlacedSurface> placed);
 
+/// Fills what follows from `faces` and `weld`: neighbours, split edges and components.
+void connect_faces(LineModel& model);
+
 } // namespace limn

@@ -5,16 +5,9 @@
 
 #include "limn/base/options.h"
 #include "limn/drawing/drawing.h"
+#include "limn/lines/feature_size.h"
 
 namespace limn {
-
-/// The length that makes limits on curvature independent of scale (contour-lines specification 2.7).
-enum class FeatureSizeMode : std::uint8_t { bsphere, edge_median, curvature, length };
-
-struct FeatureSize {
-    FeatureSizeMode mode = FeatureSizeMode::bsphere;
-    double length = 0; ///< world units; mode `length` only
-};
 
 enum class Hidden : std::uint8_t { remove, dash, keep };
 enum class ExtractMethod : std::uint8_t { exact, stochastic };

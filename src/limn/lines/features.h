@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/lines/crease.h"
+#include "limn/lines/line_model.h"
+#include "limn/lines/options.h"
+#include "limn/lines/suggestive.h"
+
+namespace limn {
+
+/// What of a model's lines does not depend on the view: found once for a sheet, a turntable or a session.
+struct LineFeatures {
+    float feature_size = 0.05f;        ///< in the model's frame
+    std::vector<Segment> creases;      ///< segments as edge_segments
+    std::vector<Segment> borders;
+    SuggestiveFaces suggestive;        ///< empty unless suggestive contours or highlights are drawn
+};
+
+/// @throws Error::Input when a line type needs curvature or its derivative and the model has none.
+LineFeatures find_line_features(const LineModel& model, const LineOptions& options);
+
+} // namespace limn
