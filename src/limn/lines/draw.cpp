@@ -34,6 +34,17 @@ struct TypedLines {
     std::vector<Segment> segments;
 };
 
+SuggestiveOptions suggestive_options(const LineOptions& options, const LineFeatures& features, bool highlight)
+{
+    SuggestiveOptions result;
+    result.feature_size = features.feature_size;
+    result.limit = float(highlight ? options.highlight_limit : options.suggestive_limit);
+    result.fade = float(options.fade);
+    result.speed_limit = float(options.speed_limit);
+    result.highlight = highlight;
+    return result;
+}
+
 /// Everything but contours, which are always found, since they hide the others.
 std::vector<TypedLines> extract_other_lines(const LineModel& model, const View& view, const LineFeatures& features, const LineOptions& options)
 {
@@ -76,17 +87,6 @@ void count(DrawReport& report, const Stroke& stroke)
     DrawReport::PerType& type = report.types[std::size_t(stroke.type)];
     type.strokes += stroke.visible;
     (stroke.visible ? type.visible_pixels : type.hidden_pixels) += length_in_picture(stroke);
-}
-
-SuggestiveOptions suggestive_options(const LineOptions& options, const LineFeatures& features, bool highlight)
-{
-    SuggestiveOptions result;
-    result.feature_size = features.feature_size;
-    result.limit = float(highlight ? options.highlight_limit : options.suggestive_limit);
-    result.fade = float(options.fade);
-    result.speed_limit = float(options.speed_limit);
-    result.highlight = highlight;
-    return result;
 }
 
 /// Draws the lines of a model whose closed components all have the eye outside.
