@@ -12,6 +12,7 @@
 
 namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
+#include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/radial_curvature.glsl"
 } // namespace limn::formulas
 
