@@ -1,21 +1,14 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
 
 #include "limn/lines/line_model.h"
 #include "limn/lines/segment.h"
+#include "limn/surface/shapes.h"
 
 namespace limn::test {
-
-/// A point of a smooth surface with its exact differential quantities, in double.
-struct ExactPoint {
-    dvec3 position, normal, e1, e2;
-    double k1 = 0, k2 = 0;
-    dvec4 derivative = dvec4(0);
-};
 
 /// Radial quantities at a point, straight from their definitions in double: the oracle of the float formulas.
 struct ExactRadial {
@@ -25,7 +18,7 @@ struct ExactRadial {
     double gradient() const { return std::hypot(along, across); }
 };
 
-inline ExactRadial exact_radial(const ExactPoint& x, const dvec3& v, bool orthographic)
+inline ExactRadial exact_radial(const SurfacePoint& x, const dvec3& v, bool orthographic)
 {
     ExactRadial r;
     const double a = glm::dot(v, x.e1), b = glm::dot(v, x.e2), nv = glm::dot(v, x.normal), length = glm::length(v);
@@ -45,12 +38,13 @@ inline ExactRadial exact_radial(const ExactPoint& x, const dvec3& v, bool orthog
 }
 
 struct Torus {
-    double R = 1, r = 0.4;
+    double r = 0.4;
+    static constexpr double R = 1;
 
-    ExactPoint at(double u, double v) const
+    SurfacePoint at(double u, double v) const
     {
         const double ring = R + r * std::cos(u);
-        ExactPoint x;
+        SurfacePoint x;
         x.position = {ring * std::cos(v), ring * std::sin(v), r * std::sin(u)};
         x.normal = {std::cos(u) * std::cos(v), std::cos(u) * std::sin(v), std::sin(u)};
         x.e1 = {-std::sin(u) * std::cos(v), -std::sin(u) * std::sin(v), std::cos(u)};
@@ -67,82 +61,28 @@ struct Torus {
         return x;
     }
     /// The foot of the perpendicular from a point near the surface.
-    ExactPoint nearest(const dvec3& p) const
+    SurfacePoint nearest(const dvec3& p) const
     {
         const double ring = std::hypot(p.x, p.y);
         return at(std::atan2(p.z, ring - R), std::atan2(p.y, p.x));
     }
 };
 
-/// A grid of nu x nv quads, each cut into two, over [0,1)^2; `closed` joins the last row and column to the first.
-/// Interior parameters are moved by up to `jitter` cells.
-struct Grid {
-    int nu = 0, nv = 0;
-    bool closed = true;
-    double jitter = 0;
-    unsigned seed = 1;
-};
-
-inline LineModel model_of(const Grid& grid, const std::function<ExactPoint(double, double)>& at)
+inline LineModel model_of(const Shape& shape)
 {
-    Mesh mesh;
-    Surface surface;
-    std::mt19937 random(grid.seed);
-    std::uniform_real_distribution<double> offset(-grid.jitter, grid.jitter);
-    const int rows = grid.closed ? grid.nu : grid.nu + 1, columns = grid.closed ? grid.nv : grid.nv + 1;
-    for (int i = 0; i < rows; ++i)
-        for (int j = 0; j < columns; ++j) {
-            const double du = offset(random), dv = offset(random);
-            const ExactPoint x = at((i + du) / grid.nu, (j + dv) / grid.nv);
-            mesh.positions.push_back(x.position);
-            surface.normals.emplace_back(x.normal);
-            surface.e1.emplace_back(x.e1);
-            surface.e2.emplace_back(x.e2);
-            surface.k1.push_back(float(x.k1));
-            surface.k2.push_back(float(x.k2));
-            surface.derivative.emplace_back(x.derivative);
-        }
-    const auto id = [&](int i, int j) { return std::uint32_t((i % rows) * columns + j % columns); };
-    for (int i = 0; i < grid.nu; ++i)
-        for (int j = 0; j < grid.nv; ++j) {
-            mesh.triangles.emplace_back(id(i, j), id(i + 1, j + 1), id(i + 1, j));
-            mesh.triangles.emplace_back(id(i, j), id(i, j + 1), id(i + 1, j + 1));
-        }
-    const PlacedSurface placed = {&mesh, &surface, dmat4(1)};
-    return build_line_model(std::span(&placed, 1));
+    const PlacedSurface placed = {&shape.mesh, &shape.exact};
+    return build_line_model({&placed, 1});
 }
 
-/// n rings of 2n quads: 4 n^2 faces.
-inline LineModel torus_model(const Torus& torus, int n, double jitter = 0)
+/// A generated shape with its exact quantities, its positions in double.
+inline LineModel shape_model(std::string_view name, std::size_t triangles, double jitter = 0)
 {
-    const double turn = 2 * std::numbers::pi;
-    return model_of({n, 2 * n, true, jitter}, [&](double u, double v) { return torus.at(turn * u, turn * v); });
+    return model_of(make_shape({.name = std::string(name), .triangles = triangles, .jitter = jitter, .float_positions = false}));
 }
 
-/// z = A sin(k x) over [-half,half]^2, outward normal up.
-struct SineSheet {
-    double A = 0.1, k = 4, half = 2;
-
-    ExactPoint at(double s, double t) const
-    {
-        const double x = half * (2 * s - 1), y = half * (2 * t - 1);
-        const double slope = A * k * std::cos(k * x), bend = -A * k * k * std::sin(k * x), third = -A * k * k * k * std::cos(k * x);
-        const double g = std::sqrt(1 + slope * slope);
-        ExactPoint p;
-        p.position = {x, y, A * std::sin(k * x)};
-        p.normal = dvec3(-slope, 0, 1) / g;
-        p.e1 = dvec3(1, 0, slope) / g;
-        p.e2 = glm::cross(p.normal, p.e1);
-        p.k1 = -bend / (g * g * g);
-        p.derivative.x = -(third / (g * g * g) - 3 * bend * bend * slope / std::pow(g, 5)) / g;
-        return p;
-    }
-};
-
-/// The sheet with n cells in each direction, counter-clockwise from above.
-inline LineModel sheet_model(const SineSheet& sheet, int n, double jitter = 0)
+inline LineModel torus_model(const Torus& torus, std::size_t triangles, double jitter = 0)
 {
-    return model_of({n, n, false, jitter}, [&](double s, double t) { return sheet.at(t, s); });
+    return model_of(make_shape({.name = "torus", .triangles = triangles, .jitter = jitter, .float_positions = false, .tube_radius = torus.r}));
 }
 
 inline dvec3 random_direction(std::mt19937& random)

@@ -59,7 +59,7 @@ TEST(Suggestive, ConvergesToTheLoopsOfTheTorus)
     const Torus torus;
     const double bounds[3] = {0.025, 0.008, 0.0015};
     for (int level = 0; level < 3; ++level) {
-        const LoopError error = loop_error(torus, torus_model(torus, 24 << level), unlimited(), 20);
+        const LoopError error = loop_error(torus, torus_model(torus, 2304u << (2 * level)), unlimited(), 20);
         EXPECT_LE(error.rms, bounds[level]) << "level " << level;
         EXPECT_LE(error.false_part, 0.002) << "level " << level;
     }
@@ -68,23 +68,22 @@ TEST(Suggestive, ConvergesToTheLoopsOfTheTorus)
 // Checklist 9: kr = 0 exactly at x = m pi / k for every eye, and nowhere else.
 TEST(Suggestive, LiesOnTheInflectionsOfASineSheet)
 {
-    const SineSheet sheet;
-    for (const int n : {60, 120, 240}) {
-        const LineModel model = sheet_model(sheet, n, 0.2);
-        const double h = 2 * sheet.half / n;
+    for (const std::size_t triangles : {8000, 32000, 128000}) {
+        const LineModel model = shape_model("sine-sheet", triangles, 0.2);
+        const double h = 2 / std::sqrt(0.5 * double(triangles));
         SuggestiveOptions options = unlimited();
         options.shortcuts.front_only = false;
         for (const bool highlight : {false, true}) {
             options.highlight = highlight;
-            const auto segments = extract_suggestive(model, perspective_view(model, {6, 1.3, 2}), options);
-            ASSERT_GT(segments.size(), std::size_t(n));
+            const auto segments = extract_suggestive(model, perspective_view(model, {3, 0.65, 1}), options);
+            ASSERT_GT(double(segments.size()), 2 / h);
             double worst = 0;
             for (const Segment& s : segments)
                 for (const vec3& end : {s.a, s.b}) {
-                    const double phase = model.to_world(end).x * sheet.k / std::numbers::pi;
-                    worst = std::max(worst, std::abs(phase - std::round(phase)) * std::numbers::pi / sheet.k);
+                    const double x = model.to_world(end).x;
+                    worst = std::max(worst, std::abs(x - 0.5 * std::round(2 * x)));
                 }
-            EXPECT_LE(worst, h * h) << n;
+            EXPECT_LE(worst, h * h) << triangles << " triangles, highlight " << highlight;
         }
     }
 }
@@ -92,7 +91,7 @@ TEST(Suggestive, LiesOnTheInflectionsOfASineSheet)
 // Checklist 9 and 15: the two kinds cut every kr = 0 segment without gap or overlap.
 TEST(Suggestive, ContoursAndHighlightsTogetherAreTheWholeZeroSet)
 {
-    const LineModel model = torus_model({}, 32, 0.2);
+    const LineModel model = torus_model({}, 4096, 0.2);
     std::mt19937 random(5);
     for (int i = 0; i < 20; ++i) {
         const View view = perspective_view(model, 4.0 * random_direction(random));
@@ -112,19 +111,13 @@ TEST(Suggestive, ContoursAndHighlightsTogetherAreTheWholeZeroSet)
     }
 }
 
-TEST(Suggestive, FindsNothingOnASphere)
+TEST(Suggestive, FindsNothingOnConvexShapes)
 {
-    const LineModel model = model_of({80, 40, false, 0}, [](double t, double s) {
-        const double a = std::numbers::pi * (0.02 + 0.96 * s), b = 2 * std::numbers::pi * t;
-        ExactPoint x;
-        x.position = x.normal = {std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)};
-        x.e1 = {std::cos(a) * std::cos(b), std::cos(a) * std::sin(b), -std::sin(a)};
-        x.e2 = glm::cross(x.normal, x.e1);
-        x.k1 = x.k2 = 1;
-        return x;
-    });
-    EXPECT_TRUE(find_suggestive_faces(model).candidates.empty());
-    EXPECT_TRUE(extract_suggestive(model, perspective_view(model, {3, 2, 1}), unlimited()).empty());
+    for (const char* name : {"sphere", "ellipsoid"}) {
+        const LineModel model = shape_model(name, 5000);
+        EXPECT_TRUE(find_suggestive_faces(model).candidates.empty());
+        EXPECT_TRUE(extract_suggestive(model, perspective_view(model, {3, 2, 1}), unlimited()).empty());
+    }
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "limn/base/parallel.h"
-#include "limn/lines/edge_zero.h"
+#include "limn/lines/contour_face.h"
 
 namespace limn {
 namespace {
@@ -66,25 +66,10 @@ std::vector<Segment> extract_contours(const LineModel& model, std::span<const fl
     std::vector<Segment> segments = parallel_collect<Segment>(model.faces.size(), face_grain, [&](std::size_t begin, std::size_t end, std::vector<Segment>& out) {
         for (std::size_t f = begin; f < end; ++f) {
             const uvec3& t = model.faces[f];
-            const bool s[3] = {facing[t.x] < 0, facing[t.y] < 0, facing[t.z] < 0};
-            if (s[0] == s[1] && s[1] == s[2])
-                continue;
-            // The two mixed edges run from and to the odd corner k. An odd back corner is entered by the edge that leaves it.
-            const int k = odd_corner(s[0], s[1], s[2]);
-            const int leaving = k, arriving = (k + 2) % 3; // half-edges k -> k+1 and k+2 -> k
-            const int enter = s[k] ? leaving : arriving, exit = s[k] ? arriving : leaving;
-            const auto end_on = [&](int edge) {
-                const std::uint32_t i = t[edge], j = t[(edge + 1) % 3];
-                const EdgeZero zero = edge_zero(i, j, facing[i], facing[j]);
-                return zero.mix(model.positions[zero.from], model.positions[zero.to]);
-            };
+            const float corners[3] = {facing[t.x], facing[t.y], facing[t.z]};
             Segment segment;
-            segment.a = end_on(enter);
-            segment.b = end_on(exit);
-            segment.face = std::uint32_t(f);
-            segment.edge_a = model.adjacency.edge_id(std::uint32_t(3 * f) + std::uint32_t(enter));
-            segment.edge_b = model.adjacency.edge_id(std::uint32_t(3 * f) + std::uint32_t(exit));
-            out.push_back(segment);
+            if (contour_in_face(model, std::uint32_t(f), corners, segment))
+                out.push_back(segment);
         }
     });
     for (const std::uint32_t h : model.split_edges)

@@ -84,7 +84,7 @@ private:
         }
         const SuggestiveCorner corners[3] = {suggestive_corner(model_, view_, t.x, options_), suggestive_corner(model_, view_, t.y, options_),
                                              suggestive_corner(model_, view_, t.z, options_)};
-        if (options_.shortcuts.strength_test && !(corners[0].strength > 0 || corners[1].strength > 0 || corners[2].strength > 0)) {
+        if (options_.shortcuts.strength_test && !any_strong(corners)) {
             ++counts.too_weak;
             return;
         }

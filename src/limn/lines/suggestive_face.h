@@ -134,4 +134,26 @@ inline bool trim_suggestive(const LineModel& model, std::uint32_t face, const Su
     return trim_suggestive(corners, positions, edges, face, options, segment);
 }
 
+inline bool any_strong(const SuggestiveCorner (&corners)[3])
+{
+    return corners[0].strength > 0 || corners[1].strength > 0 || corners[2].strength > 0;
+}
+
+/// A face on its own, with nothing computed before: the facing first, since it is the cheapest test then (section 2.9 c).
+/// @return false where nothing is drawn
+inline bool suggestive_in_face(const LineModel& model, const View& view, std::uint32_t face, const SuggestiveOptions& options, Segment& segment)
+{
+    const uvec3& t = model.faces[face];
+    if (options.shortcuts.front_only && !faces_eye(model.positions[t.x], model.positions[t.y], model.positions[t.z], view))
+        return false;
+    const formulas::RadialTerms r[3] = {radial_terms_of(model, view, t.x), radial_terms_of(model, view, t.y), radial_terms_of(model, view, t.z)};
+    if ((r[0].f < 0) == (r[1].f < 0) && (r[0].f < 0) == (r[2].f < 0))
+        return false;
+    const auto corner = [&](int k) {
+        return suggestive_corner(r[k], t[k], model.k1[t[k]], model.k2[t[k]], model.derivative[t[k]], options, view.orthographic);
+    };
+    const SuggestiveCorner corners[3] = {corner(0), corner(1), corner(2)};
+    return any_strong(corners) && trim_suggestive(model, face, corners, options, segment);
+}
+
 } // namespace limn

@@ -1,0 +1,177 @@
+#include "limn/lines/coherence.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace limn {
+namespace {
+
+/// A point of a line with the ink around it, about one pixel of length.
+struct Sample {
+    dvec2 pixel;
+    double ink; ///< ink times length, px
+};
+
+/// A stroke as another frame's camera would see it.
+std::vector<Sample> carried(const Stroke& stroke, const Camera& camera)
+{
+    std::vector<Sample> samples;
+    const std::size_t n = stroke.world.size(), pieces = stroke.closed ? n : n - 1;
+    for (std::size_t i = 0; n > 1 && i < pieces; ++i) {
+        const std::size_t j = (i + 1) % n;
+        const Projected a = camera.project(stroke.world[i]), b = camera.project(stroke.world[j]);
+        const double length = glm::distance(a.pixel, b.pixel);
+        if (!(length > 0) || a.depth <= 0 || b.depth <= 0)
+            continue;
+        const int count = int(std::ceil(length));
+        for (int k = 0; k < count; ++k) {
+            const double t = (k + 0.5) / count;
+            samples.push_back({glm::mix(a.pixel, b.pixel, t), glm::mix(double(stroke.ink[i]), double(stroke.ink[j]), t) * length / count});
+        }
+    }
+    return samples;
+}
+
+/// Nearest-point queries within a radius: points sorted into square cells of that size.
+class PointGrid {
+public:
+    PointGrid(const std::vector<std::vector<Sample>>& strokes, double radius) : radius_(radius)
+    {
+        for (const std::vector<Sample>& samples : strokes)
+            for (const Sample& s : samples)
+                grow(s.pixel);
+        if (!(low_.x <= high_.x))
+            return;
+        width_ = cell(high_).x + 1;
+        cells_.resize(std::size_t(width_) * std::size_t(cell(high_).y + 1));
+        for (const std::vector<Sample>& samples : strokes)
+            for (const Sample& s : samples)
+                cells_[index(cell(s.pixel))].push_back(s.pixel);
+    }
+
+    /// Infinity where no point lies within the radius.
+    double distance(const dvec2& p) const
+    {
+        double best = radius_ * radius_;
+        bool found = false;
+        const ivec2 centre = cell(p), last = ivec2(width_, width_ > 0 ? int(cells_.size() / std::size_t(width_)) : 0) - 1;
+        for (int y = std::max(0, centre.y - 1); y <= std::min(last.y, centre.y + 1); ++y)
+            for (int x = std::max(0, centre.x - 1); x <= std::min(last.x, centre.x + 1); ++x)
+                for (const dvec2& q : cells_[index({x, y})])
+                    if (const double d = glm::dot(q - p, q - p); d <= best) {
+                        best = d;
+                        found = true;
+                    }
+        return found ? std::sqrt(best) : std::numeric_limits<double>::infinity();
+    }
+
+private:
+    void grow(const dvec2& p)
+    {
+        low_ = glm::min(low_, p);
+        high_ = glm::max(high_, p);
+    }
+    ivec2 cell(const dvec2& p) const { return ivec2(glm::clamp(glm::floor((p - low_) / radius_), dvec2(-2), dvec2(1e6))); }
+    std::size_t index(ivec2 c) const { return std::size_t(c.y) * std::size_t(width_) + std::size_t(c.x); }
+
+    double radius_;
+    dvec2 low_ = dvec2(std::numeric_limits<double>::infinity()), high_ = -low_;
+    int width_ = 0;
+    std::vector<std::vector<dvec2>> cells_;
+};
+
+/// The visible strokes of a frame as a camera sees them.
+std::vector<std::vector<Sample>> carried(const Drawing& frame, const Camera& camera)
+{
+    std::vector<std::vector<Sample>> strokes;
+    for (const Stroke& stroke : frame.strokes)
+        if (stroke.visible)
+            strokes.push_back(carried(stroke, camera));
+    return strokes;
+}
+
+double ink_of(const std::vector<std::vector<Sample>>& strokes)
+{
+    double sum = 0;
+    for (const std::vector<Sample>& samples : strokes)
+        for (const Sample& s : samples)
+            sum += s.ink;
+    return sum;
+}
+
+/// Ink within the tolerance of other lines, and its mean distance from them.
+struct Match {
+    double lasting = 0, moved = 0, all = 0;
+    void add(const std::vector<Sample>& samples, const PointGrid& lines)
+    {
+        for (const Sample& s : samples) {
+            const double distance = lines.distance(s.pixel);
+            all += s.ink;
+            if (std::isinf(distance))
+                continue;
+            lasting += s.ink;
+            moved += s.ink * distance;
+        }
+    }
+};
+
+/// True if most of a stroke has lines near it in another frame.
+bool lives_in(const Stroke& stroke, const Drawing& other, const PointGrid& lines)
+{
+    Match match;
+    match.add(carried(stroke, other.camera), lines);
+    return match.lasting > 0.5 * match.all;
+}
+
+bool is_seen(const Stroke& stroke, float least_ink)
+{
+    float sum = 0;
+    for (const float ink : stroke.ink)
+        sum += ink;
+    return stroke.visible && sum >= least_ink * float(stroke.ink.size());
+}
+
+} // namespace
+
+Coherence measure_coherence(std::span<const Drawing> frames, const CoherenceOptions& options)
+{
+    Coherence result;
+    std::vector<PointGrid> lines;
+    double sum = 0, squares = 0;
+    for (const Drawing& frame : frames) {
+        const auto strokes = carried(frame, frame.camera);
+        const double ink = ink_of(strokes);
+        sum += ink;
+        squares += ink * ink;
+        lines.emplace_back(strokes, options.tolerance);
+        for (const Stroke& stroke : frame.strokes)
+            result.strokes += is_seen(stroke, options.least_ink);
+    }
+    Match forward, backward;
+    for (std::size_t t = 0; t + 1 < frames.size(); ++t) {
+        const auto old = carried(frames[t], frames[t + 1].camera);
+        const PointGrid old_lines(old, options.tolerance);
+        for (const auto& samples : old)
+            forward.add(samples, lines[t + 1]);
+        for (const auto& samples : carried(frames[t + 1], frames[t + 1].camera))
+            backward.add(samples, old_lines);
+    }
+    for (std::size_t t = 1; t + 2 < frames.size(); ++t)
+        for (const Stroke& stroke : frames[t].strokes)
+            if (is_seen(stroke, options.least_ink) && !lives_in(stroke, frames[t - 1], lines[t - 1])
+                && !(lives_in(stroke, frames[t + 1], lines[t + 1]) && lives_in(stroke, frames[t + 2], lines[t + 2])))
+                ++result.micro_strokes;
+    const double n = double(frames.size());
+    if (frames.empty() || !(sum > 0))
+        return result;
+    const double all = forward.all + backward.all;
+    result.flicker = all > 0 ? 1 - (forward.lasting + backward.lasting) / all : 0;
+    result.displacement = forward.lasting > 0 ? forward.moved / forward.lasting : 0;
+    result.ink_variation = std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n))) / (sum / n);
+    result.strokes /= n;
+    result.micro_strokes /= std::max(1.0, n - 3);
+    return result;
+}
+
+} // namespace limn

@@ -1,0 +1,214 @@
+#include "limn/lines/stochastic.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "limn/lines/contour.h"
+#include "limn/lines/suggestive_face.h"
+#include "lines/analytic.h"
+
+namespace limn {
+namespace {
+
+using namespace test;
+
+bool same(const Segment& a, const Segment& b)
+{
+    return a.a == b.a && a.b == b.b && a.ink_a == b.ink_a && a.ink_b == b.ink_b && a.face == b.face && a.edge_a == b.edge_a && a.edge_b == b.edge_b;
+}
+
+bool same(const std::vector<Segment>& a, const std::vector<Segment>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Segment& x, const Segment& y) { return same(x, y); });
+}
+
+/// True if `part` is a subset of `whole` in the same order, each face once.
+bool is_ordered_subset(const std::vector<Segment>& part, const std::vector<Segment>& whole)
+{
+    std::size_t k = 0;
+    for (const Segment& s : part) {
+        while (k < whole.size() && whole[k].face < s.face)
+            ++k;
+        if (k == whole.size() || !same(whole[k], s))
+            return false;
+        ++k;
+    }
+    return true;
+}
+
+/// Both types of line of one frame.
+struct Frame {
+    std::vector<Segment> contours, suggestive;
+};
+
+struct Scene {
+    Scene(std::string_view shape, std::size_t triangles) : model(shape_model(shape, triangles)), faces(find_suggestive_faces(model)) {}
+
+    LineModel model;
+    SuggestiveFaces faces;
+    SuggestiveOptions suggestive;
+
+    Frame exact(const View& view) const
+    {
+        return {extract_contours(model, facing_of_vertices(model, view)), extract_suggestive(model, view, view_codes(model, view), suggestive, &faces)};
+    }
+};
+
+/// A turning eye at distance 3 around the vertical axis.
+View turned(double degrees)
+{
+    const double a = degrees * std::numbers::pi / 180;
+    return {false, vec3(3 * std::cos(a), 0.8, 3 * std::sin(a))};
+}
+
+// Checklist 20: a full sample is the full result; the order is that of the exact pass.
+TEST(Stochastic, AFullSampleIsTheExactResult)
+{
+    const Scene scene("blob", 20000);
+    SeedSet contours = seeds_of_contours(scene.model, 1), suggestive = seeds_of_suggestive(scene.model, scene.faces, 1);
+    for (int i = 0; i < 5; ++i) {
+        const View view = turned(70.0 * i);
+        const Frame exact = scene.exact(view);
+        ASSERT_FALSE(exact.suggestive.empty());
+        EXPECT_TRUE(same(extract_contours_stochastic(scene.model, view, {1, 0.3}, contours), exact.contours));
+        EXPECT_TRUE(same(extract_suggestive_stochastic(scene.model, view, scene.suggestive, {1, 0.3}, suggestive), exact.suggestive));
+    }
+}
+
+// Checklist 20: no duplicates, and what is found equals the exact segments.
+TEST(Stochastic, FindsAnOrderedSubsetOfTheExactSegments)
+{
+    const Scene scene("blob", 20000);
+    SeedSet contours = seeds_of_contours(scene.model, 2), suggestive = seeds_of_suggestive(scene.model, scene.faces, 2);
+    for (int i = 0; i < 30; ++i) {
+        const View view = turned(2.0 * i);
+        const Frame exact = scene.exact(view);
+        EXPECT_TRUE(is_ordered_subset(extract_contours_stochastic(scene.model, view, {0.003, 0.2}, contours), exact.contours));
+        EXPECT_TRUE(is_ordered_subset(extract_suggestive_stochastic(scene.model, view, scene.suggestive, {0.003, 0.2}, suggestive), exact.suggestive));
+    }
+}
+
+TEST(Stochastic, IsRepeatableFromItsSeed)
+{
+    const Scene scene("blob", 20000);
+    SeedSet a = seeds_of_contours(scene.model, 5), b = seeds_of_contours(scene.model, 5), c = seeds_of_contours(scene.model, 6);
+    bool differs = false;
+    for (int i = 0; i < 10; ++i) {
+        const auto first = extract_contours_stochastic(scene.model, turned(i), {0.0005, 0.2}, a);
+        EXPECT_TRUE(same(first, extract_contours_stochastic(scene.model, turned(i), {0.0005, 0.2}, b)));
+        differs = differs || !same(first, extract_contours_stochastic(scene.model, turned(i), {0.0005, 0.2}, c));
+    }
+    EXPECT_TRUE(differs);
+}
+
+/// Sizes of the lines of an extraction, in faces, by following each face once.
+std::vector<std::size_t> line_sizes(const Scene& scene, const std::vector<Segment>& segments)
+{
+    std::map<std::uint32_t, const Segment*> of_face;
+    for (const Segment& s : segments)
+        of_face[s.face] = &s;
+    std::set<std::uint32_t> seen;
+    std::vector<std::size_t> sizes;
+    for (const Segment& s : segments) {
+        std::vector<std::uint32_t> waiting = {s.face};
+        std::size_t size = 0;
+        while (!waiting.empty()) {
+            const std::uint32_t f = waiting.back();
+            waiting.pop_back();
+            if (!of_face.count(f) || !seen.insert(f).second)
+                continue;
+            ++size;
+            for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+                const std::uint32_t edge = scene.model.adjacency.edge_id(h);
+                if (edge == of_face[f]->edge_a || edge == of_face[f]->edge_b)
+                    waiting.push_back(scene.model.adjacency.twin[h] / 3);
+            }
+        }
+        if (size > 0)
+            sizes.push_back(size);
+    }
+    return sizes;
+}
+
+// Checklist 20: a line through m of N faces is found by s picks with probability 1 - (1 - m/N)^s.
+TEST(Stochastic, FindsLinesAsOftenAsTheDetectionModelSays)
+{
+    const Scene scene("blob", 20000);
+    const View view = turned(30);
+    const std::vector<Segment> exact = scene.exact(view).suggestive;
+    const std::vector<std::size_t> sizes = line_sizes(scene, exact);
+    ASSERT_GT(sizes.size(), 10u);
+    const double pool = double(scene.faces.candidates.size());
+    for (const double fraction : {0.001, 0.003, 0.01, 0.03}) {
+        const double picks = std::ceil(fraction * pool);
+        double expected = 0, found = 0;
+        for (const std::size_t m : sizes)
+            expected += double(m) * (1 - std::pow(1 - double(m) / pool, picks));
+        const int runs = 200;
+        for (int run = 0; run < runs; ++run) {
+            SeedSet seeds = seeds_of_suggestive(scene.model, scene.faces, 100 + std::uint64_t(run)); // no seeds yet: random faces only
+            found += double(extract_suggestive_stochastic(scene.model, view, scene.suggestive, {fraction, 0}, seeds).size());
+        }
+        EXPECT_NEAR(found / runs / double(exact.size()), expected / double(exact.size()), 0.05) << "fraction " << fraction;
+    }
+}
+
+// Checklist 20: with seeds, recall does not fall for a resting camera, and tends to everything.
+TEST(Stochastic, RecallOfARestingCameraGrowsToEverything)
+{
+    const Scene scene("blob", 20000);
+    const View view = turned(30);
+    const Frame exact = scene.exact(view);
+    SeedSet contours = seeds_of_contours(scene.model, 3), suggestive = seeds_of_suggestive(scene.model, scene.faces, 3);
+    std::size_t last = 0, found = 0, contours_found = 0;
+    for (int i = 0; i < 400; ++i) {
+        found = extract_suggestive_stochastic(scene.model, view, scene.suggestive, {0.03, 0.2}, suggestive).size(); // more seeds than lines
+        contours_found = extract_contours_stochastic(scene.model, view, {0.01, 0.2}, contours).size();
+        EXPECT_GE(found, last) << "frame " << i;
+        last = found;
+    }
+    EXPECT_GE(double(found), 0.98 * double(exact.suggestive.size()));
+    EXPECT_EQ(contours_found, exact.contours.size());
+}
+
+/// Mean part of the suggestive segments found while the eye turns.
+double recall(const Scene& scene, double degrees_per_frame, double discovery, double fraction)
+{
+    SeedSet seeds = seeds_of_suggestive(scene.model, scene.faces, 4);
+    double found = 0, all = 0;
+    for (int i = 0; i < 120; ++i) {
+        const View view = turned(degrees_per_frame * i);
+        const std::size_t count = extract_suggestive_stochastic(scene.model, view, scene.suggestive, {fraction, discovery}, seeds).size();
+        if (i < 20)
+            continue;
+        found += double(count);
+        all += double(scene.exact(view).suggestive.size());
+    }
+    return found / all;
+}
+
+// Checklist 20: trends of table 4.5. A turn of half a degree per frame is the source's slow rotation.
+TEST(Stochastic, SeedsWinWhenTheCameraIsSlowAndRandomFacesWhenItIsFast)
+{
+    for (const char* name : {"knot", "rings"}) {
+        const Scene scene(name, 20000);
+        EXPECT_GT(recall(scene, 0.5, 0, 0.003), 1.2 * recall(scene, 0.5, 0.8, 0.003)) << name;
+        EXPECT_LT(recall(scene, 60, 0, 0.003), 0.8 * recall(scene, 60, 0.8, 0.003)) << name;
+    }
+}
+
+// Checklist 20: following a line takes no stack.
+TEST(Stochastic, FollowsALineOfAMillionFacesSlow)
+{
+    const Scene scene("torus", 1000000);
+    SeedSet seeds = seeds_of_contours(scene.model, 1);
+    const View view = {true, vec3(0, 0, 1)};
+    const Frame exact = scene.exact(view);
+    EXPECT_TRUE(is_ordered_subset(extract_contours_stochastic(scene.model, view, {0.01, 0}, seeds), exact.contours));
+}
+
+} // namespace
+} // namespace limn
