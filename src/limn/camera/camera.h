@@ -56,6 +56,7 @@ struct Camera {
 
 /// The camera as one JSON object, every field by its name; written in --json and beside ingredient images.
 std::string camera_to_json(const Camera& camera);
+/// Reads that object, or the one under the key "camera" of a report or drawing. `eye` and `look` are required.
 /// @throws Error::Input naming the key that is missing, unknown or out of range.
 Camera camera_from_json(std::string_view text);
 
