@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "limn/lines/apparent.h"
 #include "limn/lines/clip.h"
 #include "limn/lines/contour.h"
 #include "limn/lines/inside.h"
@@ -45,6 +46,15 @@ SuggestiveOptions suggestive_options(const LineOptions& options, const LineFeatu
     return result;
 }
 
+ApparentOptions apparent_options(const LineOptions& options, const LineFeatures& features)
+{
+    ApparentOptions result;
+    result.feature_size = features.feature_size;
+    result.limit = float(options.apparent_limit);
+    result.fade = float(options.fade);
+    return result;
+}
+
 /// Everything but contours, which are always found, since they hide the others.
 std::vector<TypedLines> extract_other_lines(const LineModel& model, const View& view, const LineFeatures& features, const LineOptions& options)
 {
@@ -58,6 +68,9 @@ std::vector<TypedLines> extract_other_lines(const LineModel& model, const View& 
         codes = view_codes(model, view);
     add(LineType::highlight, VisibilityRule::surface,
         [&] { return extract_suggestive(model, view, codes, suggestive_options(options, features, true), &features.suggestive); });
+    add(LineType::valley, VisibilityRule::surface, [&] { return features.valleys; });
+    add(LineType::ridge, VisibilityRule::surface, [&] { return features.ridges; });
+    add(LineType::apparent, VisibilityRule::surface, [&] { return extract_apparent_ridges(model, view, apparent_options(options, features)); });
     add(LineType::suggestive, VisibilityRule::surface,
         [&] { return extract_suggestive(model, view, codes, suggestive_options(options, features, false), &features.suggestive); });
     add(LineType::crease, VisibilityRule::edge, [&] { return features.creases; });

@@ -14,6 +14,7 @@ struct LineFeatures {
     float feature_size = 0.05f;        ///< in the model's frame
     std::vector<Segment> creases;      ///< segments as edge_segments
     std::vector<Segment> borders;
+    std::vector<Segment> ridges, valleys;
     SuggestiveFaces suggestive;        ///< empty unless suggestive contours or highlights are drawn
 };
 
