@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
-#include "limn/base/parallel.h"
-#include "limn/surface/jets.h"
+#include "limn/surface/ring_choice.h"
+#include "limn/surface/smooth.h"
+#include "limn/surface/tensor.h"
+#include "limn/surface/vertex_areas.h"
 
 namespace limn {
 namespace {
@@ -17,51 +19,49 @@ void check(const EstimateOptions& options)
         throw Error::Input(fmt::format("smoothing passes: {} is below 0", options.smooth));
 }
 
-/// Weight of Max 1999 for the corner between edges a and b: the cross product over both squared lengths.
-dvec3 max_term(const dvec3& a, const dvec3& b)
+std::vector<vec3> to_float(const std::vector<dvec3>& normals) { return {normals.begin(), normals.end()}; }
+
+void smooth(const Mesh& mesh, const VertexFaces& faces, const Neighbours& neighbours, const SmoothPasses& passes, Surface& surface)
 {
-    const double weight = glm::dot(a, a) * glm::dot(b, b);
-    return weight > 0 ? glm::cross(a, b) / weight : dvec3(0);
+    if (passes.normals > 0 || passes.curvature > 0 || passes.derivative > 0)
+        smooth_surface(surface, neighbours, vertex_areas(mesh.positions, mesh.triangles, faces), passes);
+}
+
+Surface estimate_by_jets(const Mesh& mesh, const VertexFaces& faces, const EstimateOptions& options, EstimateReport& report)
+{
+    const JetContext context = make_jet_context(mesh, faces);
+    const RingChoice choice = options.radius == 0 ? choose_rings(context) : predict_rings(context, options.radius);
+    Surface surface;
+    const JetCounts counts = fit_surface(context, choice.setting, options.need, surface);
+    smooth(mesh, faces, context.neighbours, {options.smooth, options.smooth, options.smooth + choice.derivative_passes}, surface);
+    report = {choice.setting.rings, choice.setting.model.degree, choice.position_noise, choice.predicted_error,
+              choice.reliable, counts.refitted, counts.failed};
+    return surface;
 }
 
 } // namespace
 
 std::vector<vec3> max_normals(const Mesh& mesh)
 {
-    const VertexFaces faces = build_vertex_faces(mesh.triangles, mesh.positions.size());
-    std::vector<vec3> normals(mesh.positions.size());
-    parallel_each(normals.size(), 4096, [&](std::size_t v) {
-        dvec3 sum(0);
-        for (std::uint32_t i = faces.start[v]; i < faces.start[v + 1]; ++i) {
-            const uvec3& t = mesh.triangles[faces.face[i]];
-            const int k = t.x == v ? 0 : t.y == v ? 1 : 2;
-            const dvec3& p = mesh.positions[v];
-            sum += max_term(mesh.positions[t[(k + 1) % 3]] - p, mesh.positions[t[(k + 2) % 3]] - p);
-        }
-        const double length = glm::length(sum);
-        normals[v] = length > 0 ? vec3(sum / length) : vec3(0);
-    });
-    return normals;
+    return to_float(max_vertex_normals(mesh, build_vertex_faces(mesh.triangles, mesh.positions.size())));
 }
 
 Surface estimate_surface(const Mesh& mesh, const EstimateOptions& options, EstimateReport* report)
 {
     check(options);
-    Surface surface;
-    if (options.need == Need::normals) {
-        surface.normals = max_normals(mesh);
-        return surface;
-    }
     const VertexFaces faces = build_vertex_faces(mesh.triangles, mesh.positions.size());
-    const JetContext context = make_jet_context(mesh, faces);
-    const JetSetting setting = {{4, options.radius <= 2}, options.radius == 0 ? 2 : options.radius};
-    const JetCounts counts = fit_surface(context, setting, options.need, surface);
-    if (report) {
-        report->radius = setting.rings;
-        report->degree = setting.model.degree;
-        report->refitted = counts.refitted;
-        report->failed = counts.failed;
-    }
+    EstimateReport measured;
+    Surface surface;
+    if (options.need == Need::normals)
+        surface.normals = to_float(max_vertex_normals(mesh, faces));
+    else if (options.method == CurvatureMethod::jets)
+        surface = estimate_by_jets(mesh, faces, options, measured);
+    else
+        surface = estimate_by_tensors(mesh, faces, options.need);
+    if (options.smooth > 0 && (options.need == Need::normals || options.method == CurvatureMethod::tensor))
+        smooth(mesh, faces, build_neighbours(mesh.triangles, faces), {options.smooth, options.smooth, options.smooth}, surface);
+    if (report)
+        *report = measured;
     return surface;
 }
 

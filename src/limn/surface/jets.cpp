@@ -5,6 +5,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "limn/base/parallel.h"
+#include "limn/surface/tangent.h"
 
 namespace limn {
 namespace {
@@ -42,25 +43,7 @@ struct Scratch {
     RingCollector collector;
     Neighbourhoods hoods;
     std::vector<Jet> jets;
-    std::vector<std::uint32_t> targets;
 };
-
-vec3 unit_or_zero(const dvec3& v)
-{
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0))
-        return vec3(0);
-    return vec3(glm::normalize(v / largest));
-}
-
-/// Any unit vector across n, or 0.
-vec3 across(const vec3& n)
-{
-    if (n == vec3(0))
-        return n;
-    const vec3 axis = std::abs(n.x) < 0.6f ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    return glm::normalize(glm::cross(n, axis));
-}
 
 bool fits_float(const Jet& jet)
 {
@@ -73,7 +56,7 @@ class SurfaceFit {
 public:
     SurfaceFit(const JetContext& context, Need need, Surface& surface)
         : context_(context), derivative_(need == Need::derivative), surface_(surface),
-          scratch_([&] { return Scratch{RingCollector(context.positions, context.neighbours), {}, {}, {}}; })
+          scratch_([&] { return Scratch{RingCollector(context.positions, context.neighbours), {}, {}}; })
     {
     }
 
@@ -98,10 +81,10 @@ public:
 
     void flag(std::uint32_t v)
     {
-        const vec3 n = unit_or_zero(context_.normals[v]);
-        surface_.normals[v] = n;
-        surface_.e1[v] = across(n);
-        surface_.e2[v] = glm::cross(n, surface_.e1[v]);
+        const TangentFrame frame = any_frame(unit_or_zero(context_.normals[v]));
+        surface_.normals[v] = vec3(frame.n);
+        surface_.e1[v] = vec3(frame.u);
+        surface_.e2[v] = vec3(frame.v);
         surface_.k1[v] = surface_.k2[v] = 0;
         if (derivative_)
             surface_.derivative[v] = vec4(0);
