@@ -217,6 +217,66 @@ private:
     std::vector<From> from_;
 };
 
+/// An unmarked change has no cut: it lies somewhere between the middles of two elements (where one part runs through
+/// another, say). Bisection finds the place, and the element that holds it is split there.
+template <class Test> ChainElements with_exact_changes(ChainElements decided, const Chains& chains, const Test& is_visible)
+{
+    struct Split {
+        std::size_t element;
+        float t;
+        bool before; ///< visibility of the first part
+    };
+    std::vector<Split> splits;
+    const auto bisect = [&](std::size_t k, float seen, float unseen) { // parameters on element k, in either order
+        for (int i = 0; i < 12; ++i) {
+            const float middle = 0.5f * (seen + unseen);
+            (is_visible(decided.elements[k], middle) ? seen : unseen) = middle;
+        }
+        return 0.5f * (seen + unseen);
+    };
+    for (std::size_t chain = 0; chain < chains.size(); ++chain) {
+        const std::size_t begin = decided.start[chain], end = decided.start[chain + 1];
+        for (std::size_t k = chains.closed[chain] ? begin : begin + 1; k < end; ++k) {
+            const std::size_t previous = k == begin ? end - 1 : k - 1;
+            const Element &a = decided.elements[previous], &b = decided.elements[k];
+            const float a_middle = 0.5f * (a.t0 + a.t1), b_middle = 0.5f * (b.t0 + b.t1);
+            if (a.visible == b.visible || b.cusp || b.may_hide || b.may_appear || is_visible(a, a_middle) != a.visible ||
+                is_visible(b, b_middle) != b.visible)
+                continue;
+            if (is_visible(b, b.t0) == a.visible)
+                splits.push_back({k, a.visible ? bisect(k, b.t0, b_middle) : bisect(k, b_middle, b.t0), a.visible});
+            else
+                splits.push_back({previous, a.visible ? bisect(previous, a_middle, a.t1) : bisect(previous, a.t1, a_middle), a.visible});
+        }
+    }
+    if (splits.empty())
+        return decided;
+    std::stable_sort(splits.begin(), splits.end(), [](const Split& x, const Split& y) { return x.element < y.element; });
+    ChainElements result;
+    std::size_t next = 0;
+    for (std::size_t chain = 0; chain < chains.size(); ++chain) {
+        result.start.push_back(std::uint32_t(result.elements.size()));
+        for (std::size_t k = decided.start[chain]; k < decided.start[chain + 1]; ++k) {
+            Element rest = decided.elements[k];
+            // At most two: one where the element begins, one where it ends.
+            for (; next < splits.size() && splits[next].element == k; ++next) {
+                Element part = rest;
+                part.t1 = splits[next].t;
+                part.visible = splits[next].before;
+                rest.t0 = splits[next].t;
+                rest.visible = !splits[next].before;
+                const float whole = std::abs(decided.elements[k].t1 - decided.elements[k].t0);
+                part.length = whole > 0 ? decided.elements[k].length * std::abs(part.t1 - part.t0) / whole : 0;
+                rest.length -= part.length;
+                result.elements.push_back(part);
+            }
+            result.elements.push_back(rest);
+        }
+    }
+    result.start.push_back(std::uint32_t(result.elements.size()));
+    return result;
+}
+
 } // namespace
 
 float step_of_face(const LineModel& model, std::uint32_t face)
@@ -285,29 +345,29 @@ ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::sp
     std::vector<std::uint32_t> link_of(curvature.enter.empty() ? 0 : segments.size());
     for (std::uint32_t l = 0; l < chains.links.size() && !link_of.empty(); ++l)
         link_of[chains.links[l].segment] = l;
-    parallel_each(result.elements.size(), grain, [&](std::size_t k) {
-        Element& e = result.elements[k];
+    const auto is_visible = [&](const Element& e, float t) {
         const Segment& s = segments[e.segment];
-        const float middle = 0.5f * (e.t0 + e.t1);
         if (!link_of.empty()) {
             const std::uint32_t l = link_of[e.segment];
-            const float along = chains.links[l].reversed ? 1 - middle : middle;
+            const float along = chains.links[l].reversed ? 1 - t : t;
             const float kr = glm::mix(curvature.enter[l], curvature.leave[l], along);
             // Nearly flat: the sign is noise, only the ray decides.
-            if (kr < 0 && -kr * e.step >= 1e-4f) {
-                e.visible = false;
-                return;
-            }
+            if (kr < 0 && -kr * e.step >= 1e-4f)
+                return false;
         }
-        const vec3 p = glm::mix(s.a, s.b, middle);
-        e.visible = rule == VisibilityRule::edge ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step);
+        const vec3 p = glm::mix(s.a, s.b, t);
+        return rule == VisibilityRule::edge ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step);
+    };
+    parallel_each(result.elements.size(), grain, [&](std::size_t k) {
+        Element& e = result.elements[k];
+        e.visible = is_visible(e, 0.5f * (e.t0 + e.t1));
     });
     parallel_each(chains.size(), 1, [&](std::size_t chain) {
         const std::span<Element> elements(result.elements.data() + result.start[chain], result.elements.data() + result.start[chain + 1]);
         Decision decision(elements, prices);
         chains.closed[chain] ? decision.closed() : decision.open();
     });
-    return result;
+    return with_exact_changes(std::move(result), chains, is_visible);
 }
 
 } // namespace limn
