@@ -1,12 +1,24 @@
 #include "help.h"
 
-#include <sstream>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace {
 
 constexpr std::size_t indent = 2, column = 30, width = 100;
+
+/// Where a line may break: words with the space before them, lists such as "a|b,c" after their separators.
+std::vector<std::string> pieces(const std::string& text)
+{
+    std::vector<std::string> out(1);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == ' ' || (i > 0 && (text[i - 1] == '|' || text[i - 1] == ',') && text[i] != ' '))
+            out.emplace_back();
+        out.back() += text[i];
+    }
+    return out;
+}
 
 /// The words of `text` in lines that fit right of the column; the first continues `head`.
 std::string two_columns(const std::string& head, const std::string& text)
@@ -19,12 +31,13 @@ std::string two_columns(const std::string& head, const std::string& text)
     }
     out += std::string(column - at, ' ');
     at = column;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        if (at > column && at + 1 + word.size() > width) {
+    for (const std::string& piece : pieces(text)) {
+        const bool new_word = piece[0] == ' ';
+        const std::string word = new_word ? piece.substr(1) : piece;
+        if (at > column && at + piece.size() > width) {
             out += "\n" + std::string(column, ' ');
             at = column;
-        } else if (at > column) {
+        } else if (new_word) {
             out += ' ';
             ++at;
         }
@@ -39,8 +52,9 @@ std::string two_columns(const std::string& head, const std::string& text)
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const
 {
     std::string head = is_positional ? option->get_name(true) : option->get_name(false, true);
-    if (!is_positional && option->get_type_size() != 0)
-        head += " " + option->get_type_name();
+    head = head.substr(0, head.find('{')); // CLI11 shows what a bare flag means
+    if (const std::string type = option->get_type_name(); !is_positional && option->get_type_size() != 0)
+        head += " " + type.substr(0, type.find(':')); // and what its checks want, which the text says better
     return two_columns(head, option->get_description());
 }
 

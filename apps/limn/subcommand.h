@@ -9,3 +9,7 @@ struct Subcommand {
     CLI::App* app = nullptr;
     std::function<void()> run;
 };
+
+Subcommand add_draw(CLI::App& limn);
+
+Subcommand add_sample(CLI::App& limn);

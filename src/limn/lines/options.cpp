@@ -1,6 +1,7 @@
 #include "limn/lines/options.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace limn {
 namespace {
@@ -120,7 +121,7 @@ OptionRow<LineOptions> feature_size_row()
 OptionTable<LineOptions> make_table()
 {
     using O = LineOptions;
-    constexpr double huge = 1e9;
+    constexpr double huge = std::numeric_limits<double>::infinity();
     return {
         lines_row(),
         choice_row<O, Hidden>("hidden", {{"remove", Hidden::remove}, {"dash", Hidden::dash}, {"keep", Hidden::keep}},
@@ -143,11 +144,37 @@ OptionTable<LineOptions> make_table()
     };
 }
 
+/// Contours need curvature for their visibility: it says on which side of a cusp they are hidden.
+Need need_of(LineType type)
+{
+    switch (type) {
+    case LineType::suggestive:
+    case LineType::highlight:
+    case LineType::ridge:
+    case LineType::valley:
+        return Need::derivative;
+    case LineType::contour:
+    case LineType::outline:
+    case LineType::apparent:
+        return Need::curvature;
+    default:
+        return Need::normals;
+    }
+}
+
 } // namespace
 
 bool LineOptions::has(LineType type) const
 {
     return std::find(lines.begin(), lines.end(), type) != lines.end();
+}
+
+Need surface_need(const LineOptions& options)
+{
+    Need need = Need::normals;
+    for (const LineType type : options.lines)
+        need = std::max(need, need_of(type));
+    return need;
 }
 
 const OptionTable<LineOptions>& line_option_table()

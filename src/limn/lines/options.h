@@ -6,6 +6,7 @@
 #include "limn/base/options.h"
 #include "limn/drawing/drawing.h"
 #include "limn/lines/feature_size.h"
+#include "limn/surface/surface.h"
 
 namespace limn {
 
@@ -33,6 +34,9 @@ struct LineOptions {
 
     bool has(LineType type) const;
 };
+
+/// How much of a surface the lines asked for look at.
+Need surface_need(const LineOptions& options);
 
 /// The numbers above as data, for the command line, help and scene files.
 const OptionTable<LineOptions>& line_option_table();

@@ -1,6 +1,7 @@
 #include "limn/lines/prepare.h"
 
 #include "limn/lines/split.h"
+#include "limn/surface/surface_cache.h"
 
 namespace limn {
 namespace {
@@ -27,7 +28,13 @@ PreparedMesh prepare_mesh(Mesh mesh, const PrepareOptions& options)
     } else {
         prepared.mesh = std::move(mesh);
     }
-    prepared.surface = estimate_surface(prepared.mesh, options.estimate, &prepared.report);
+    if (options.cache.empty()) {
+        prepared.surface = estimate_surface(prepared.mesh, options.estimate, &prepared.report);
+    } else {
+        CachedSurface found = estimate_surface_cached(prepared.mesh, options.estimate, options.cache, &prepared.report);
+        prepared.surface = std::move(found.surface);
+        prepared.from_cache = found.from_cache;
+    }
     return prepared;
 }
 

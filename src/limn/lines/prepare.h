@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "limn/lines/crease.h"
@@ -11,6 +12,7 @@ namespace limn {
 struct PrepareOptions {
     EstimateOptions estimate;
     CreaseOptions crease;
+    std::filesystem::path cache; ///< folder that keeps surfaces between runs (surface_cache.h); "" estimates every time
     bool split = true; ///< treat creases as edges of smooth pieces; false: one smooth surface with rounded edges
 };
 
@@ -20,6 +22,7 @@ struct PreparedMesh {
     Surface surface; ///< one entry per vertex of the split mesh
     std::vector<std::uint32_t> weld;
     EstimateReport report;
+    bool from_cache = false; ///< the surface was found in the cache; `report` is then empty
 
     PlacedSurface placed(const dmat4& transform = dmat4(1)) const { return {&mesh, &surface, transform, weld}; }
 };

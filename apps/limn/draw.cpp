@@ -1,0 +1,264 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "common.h"
+#include "console.h"
+#include "draw_report.h"
+#include "limn/base/error.h"
+#include "limn/base/file.h"
+#include "limn/base/parallel.h"
+#include "limn/drawing/style.h"
+#include "limn/drawing/write_drawing.h"
+#include "limn/lines/draw.h"
+#include "models.h"
+#include "subcommand.h"
+#include "table_options.h"
+#include "views.h"
+
+using namespace limn;
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  limn draw bunny.ply -o bunny.svg
+  limn draw bunny.ply -o bunny.svg -o bunny.png --view 30,20 --lines contour,suggestive
+  limn draw part.stl -o sheet.pdf --lines technical --ortho --hidden dash --page A4 \
+      --view front --view right --view top --view iso
+  limn draw base.obj lid.obj -o both.pdf --scale 1:2 --page A3
+  limn draw vase.glb -o turn.svg --turntable 24
+  cat bunny.ply | limn draw - --from ply -o - --to svg > bunny.svg)";
+
+enum class Shade { none, smooth, flat };
+
+struct DrawCommand {
+    CommonOptions common;
+    ViewOptions view;
+    ModelOptions model;
+    LineOptions lines;
+    Style style;
+    Shade shade = Shade::none;
+    bool fill = false;
+    int turntable = 0;
+    bool lines_given = false;
+};
+
+std::vector<std::string> known_formats() { return {drawing_formats().begin(), drawing_formats().end()}; }
+
+/// Models with what every view of them needs.
+struct Stage {
+    const DrawCommand& command;
+    const Models& models;
+    RayScene rays;
+    LineFeatures features;
+};
+
+Drawing draw_view(const Stage& stage, const Camera& camera, DrawnView& view, Times& times)
+{
+    view.camera = camera;
+    Drawing drawing = draw_lines(stage.models.lines, stage.rays, stage.features, camera, stage.command.lines, &view.report);
+    Stopwatch watch;
+    times.shade += watch.lap();
+    return drawing;
+}
+
+void paste(Image& sheet, const Image& picture, ivec2 corner)
+{
+    for (int y = 0; y < picture.height; ++y)
+        std::copy_n(picture.at(0, y), picture.width * picture.channels, sheet.at(corner.x, corner.y + y));
+}
+
+/// Puts a picture onto a sheet with its upper left corner at `corner`.
+void place(Drawing& sheet, Drawing&& picture, ivec2 corner)
+{
+    const dvec2 shift(corner);
+    for (Stroke& stroke : picture.strokes) {
+        for (dvec2& point : stroke.points)
+            point += shift;
+        sheet.strokes.push_back(std::move(stroke));
+    }
+    for (Region& region : picture.regions) {
+        for (std::vector<dvec2>& ring : region.rings)
+            for (dvec2& point : ring)
+                point += shift;
+        sheet.regions.push_back(std::move(region));
+    }
+    paste(sheet.background, picture.background, corner);
+}
+
+Drawing draw_sheet(const Stage& stage, const Sheet& sheet, std::vector<DrawnView>& views, Times& times, Console& console)
+{
+    Drawing drawing;
+    if (sheet.cameras.size() > 1 && stage.command.shade != Shade::none)
+        drawing.background = Image(sheet.size, 3, 1.0f);
+    for (std::size_t i = 0; i < sheet.cameras.size(); ++i) {
+        console.progress(fmt::format("view {} of {}", i + 1, sheet.cameras.size()), 0.3 + 0.7 * double(i) / double(sheet.cameras.size()));
+        Drawing picture = draw_view(stage, sheet.cameras[i], views.emplace_back(), times);
+        if (sheet.cameras.size() == 1)
+            drawing = std::move(picture);
+        else
+            place(drawing, std::move(picture), sheet.corners[i]);
+    }
+    std::stable_sort(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
+    drawing.camera = sheet.cameras.front();
+    drawing.camera.size = sheet.size;
+    drawing.mm_per_pixel = sheet.mm_per_pixel;
+    return drawing;
+}
+
+/// "turn-007.svg".
+std::string numbered(const std::string& path, int number)
+{
+    const std::filesystem::path file(path);
+    return (file.parent_path() / fmt::format("{}-{:03}{}", file.stem().string(), number, file.extension().string())).string();
+}
+
+void write_outputs(const Drawing& drawing, const std::vector<Output>& outputs, const Style& style, Times& times)
+{
+    Stopwatch watch;
+    for (const Output& output : outputs)
+        write_drawing(drawing, style, output.path, output.format);
+    times.write += watch.lap();
+}
+
+std::size_t stroke_count(const std::vector<DrawnView>& views)
+{
+    std::size_t count = 0;
+    for (const DrawnView& view : views)
+        for (const DrawReport::PerType& type : view.report.types)
+            count += type.strokes;
+    return count;
+}
+
+/// Says all warnings as one line, or throws them when the command is strict.
+void settle(const Warnings& warnings, const CommonOptions& options, Console& console)
+{
+    if (warnings.empty())
+        return;
+    if (options.strict)
+        throw Error::Read(warnings.line() + " (--strict)");
+    console.warn(warnings.line());
+}
+
+Warnings warnings_of(const Models& models, const std::vector<DrawnView>& views)
+{
+    Warnings warnings;
+    for (const Input& input : models.inputs)
+        warnings.add(input.file, input.notes);
+    for (const DrawnView& view : views)
+        if (view.report.camera_inside) {
+            warnings.add("camera", {"the eye is inside a closed model"});
+            break;
+        }
+    return warnings;
+}
+
+void check_turntable(const DrawCommand& command, const std::vector<Output>& outputs)
+{
+    if (command.turntable == 0)
+        return;
+    if (command.view.views.size() > 1)
+        throw Error::Input("--turntable turns one view; give --view once");
+    for (const Output& output : outputs)
+        if (output.path == "-")
+            throw Error::Input("--turntable writes numbered files; -o - cannot hold them");
+}
+
+/// Draws and writes every frame of a turntable, or the one sheet. @return the names of the written files.
+std::vector<std::string> draw_all(const Stage& stage, const std::vector<Output>& outputs, std::vector<DrawnView>& views, Warnings& warnings,
+                                  Times& times, Console& console)
+{
+    const DrawCommand& command = stage.command;
+    const char up_axis = up_axis_of(command.view, stage.models.inputs.front().format);
+    const Bounds bounds = stage.models.bounds();
+    std::vector<Sheet> sheets = command.turntable > 0 ? turntable(command.view, bounds, up_axis, command.turntable)
+                                                      : std::vector<Sheet>{make_sheet(command.view, bounds, up_axis)};
+    std::vector<std::string> written;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+        if (sheets.size() > 1)
+            console.progress(fmt::format("frame {} of {}", i + 1, sheets.size()), 0.3 + 0.7 * double(i) / double(sheets.size()));
+        const Drawing drawing = draw_sheet(stage, sheets[i], views, times, console);
+        if (i == 0) { // before the first file, so that --strict leaves none
+            warnings = warnings_of(stage.models, views);
+            settle(warnings, command.common, console);
+        }
+        std::vector<Output> files = outputs;
+        for (Output& file : files) {
+            if (command.turntable > 0)
+                file.path = numbered(file.path, int(i));
+            written.push_back(file.path);
+        }
+        write_outputs(drawing, files, command.style, times);
+    }
+    return written;
+}
+
+void run(DrawCommand& command)
+{
+    Stopwatch total;
+    Times times;
+    if (command.model.files.empty())
+        throw Error::Input("no model given; see 'limn draw --help'");
+    const std::vector<Output> outputs = checked_outputs(command.common, known_formats());
+    if (outputs.empty() && !command.common.json)
+        throw Error::Input("nothing to do: give -o FILE (svg, pdf, png, dxf, json, ply) or --json");
+    check_turntable(command, outputs);
+    check_view_options(command.view);
+    Console console(command.common.quiet);
+
+    if (!command.lines_given && (command.style.look == Look::dark || command.style.look == Look::toon))
+        command.lines.lines.push_back(LineType::highlight);
+    command.model.prepare.estimate.need = surface_need(command.lines);
+    command.model.prepare.crease.angle = command.lines.crease_angle;
+    const Models models = prepare_models(command.model, console);
+    Stopwatch watch;
+    RayScene rays = build_ray_scene(models.lines);
+    times.rays = watch.lap();
+    const Stage stage = {command, models, std::move(rays), find_line_features(models.lines, command.lines)};
+    times.features = watch.lap();
+    std::vector<DrawnView> views;
+    Warnings warnings;
+    const std::vector<std::string> written = draw_all(stage, outputs, views, warnings, times, console);
+    times.total = total.total();
+    if (command.common.json)
+        write_file("-", draw_report(models, views, written, warnings, times));
+    console.finish(fmt::format("{}: {}, {}, {}", what_was_written(written), counted(models.triangle_count(), "triangle"),
+                               counted(stroke_count(views), "stroke"), seconds_text(times.total)));
+}
+
+} // namespace
+
+Subcommand add_draw(CLI::App& limn)
+{
+    auto command = std::make_shared<DrawCommand>();
+    CLI::App* app = limn.add_subcommand("draw", "Draw the lines of models, hidden lines removed");
+    app->footer(examples);
+    app->add_option("MODEL", command->model.files, "files to draw together, in any mesh format; '-' is standard input");
+    add_table_options(*app, line_option_table(), command->lines, "Lines");
+    add_table_options(*app, style_option_table(), command->style, "Look and page");
+    add_table_options(*app, estimate_option_table(), command->model.prepare.estimate, "Surface");
+    app->add_flag("--fill", command->fill, "fill the shape's silhouette under the lines (always so with --style dark)")
+        ->group("Look and page");
+    app->add_option("--shade", command->shade, "none|smooth|flat: a shaded picture under the lines (default none)")
+        ->type_name("X")
+        ->transform(CLI::Transformer(std::map<std::string, Shade>{{"none", Shade::none}, {"smooth", Shade::smooth}, {"flat", Shade::flat}}))
+        ->group("Look and page");
+    app->add_option("--from", command->model.from, "format of the models, whatever their names end in")
+        ->type_name("FORMAT")
+        ->group("Input");
+    app->add_option("--cache", command->model.prepare.cache, "keep estimated surfaces in this folder, and use them again")
+        ->type_name("FOLDER")
+        ->group("Input");
+    add_view_options(*app, command->view);
+    app->add_option("--turntable", command->turntable, "draw N views around the model into FILE-000, FILE-001, ...")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000))
+        ->group("Camera");
+    add_common_options(*app, command->common,
+                       "file to write; may be given several times: svg, pdf, png, dxf, json, ply; '-' is standard output");
+    return {app, [command, app] {
+                command->lines_given = app->count("--lines") > 0;
+                with_threads(command->common.threads, [&] { run(*command); });
+            }};
+}

@@ -1,0 +1,126 @@
+#include "models.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "limn/base/error.h"
+#include "limn/base/file.h"
+#include "limn/base/parallel.h"
+#include "limn/geometry/read_mesh.h"
+
+using namespace limn;
+
+namespace {
+
+PreparedMesh load(const std::string& file, const ModelOptions& options, Input& input, Models& models)
+{
+    Stopwatch watch;
+    ReadResult read = read_mesh_with_notes(file, {.format = options.from});
+    models.read_seconds += watch.lap();
+    input = {file,
+             input_format(file, options.from),
+             read.mesh.positions.size(),
+             read.mesh.triangles.size(),
+             read.mesh.bounds(),
+             read.notes,
+             std::nullopt};
+    PreparedMesh prepared = prepare_mesh(std::move(read.mesh), options.prepare);
+    if (!prepared.from_cache && options.prepare.estimate.need != Need::normals)
+        input.estimate = prepared.report;
+    models.surface_seconds += watch.lap();
+    return prepared;
+}
+
+/// The vertices of the half-edges without a twin, lower one first, sorted: equal pairs lie side by side.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> unpaired_edges(const LineModel& model, std::uint32_t first, std::uint32_t end)
+{
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<Edge> edges = parallel_collect<Edge>(end - first, 1 << 15, [&](std::size_t from, std::size_t to, std::vector<Edge>& out) {
+        for (std::uint32_t f = first + std::uint32_t(from); f < first + to; ++f)
+            for (std::uint32_t k = 0; k < 3; ++k)
+                if (model.solid().twin[3 * f + k] == none)
+                    out.push_back(std::minmax({model.welded(model.faces[f][int(k)]), model.welded(model.faces[f][int((k + 1) % 3)])}));
+    });
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+struct EdgeCounts {
+    std::size_t border = 0, irregular = 0;
+};
+
+EdgeCounts count_unpaired(const LineModel& model, std::uint32_t first, std::uint32_t end)
+{
+    EdgeCounts counts;
+    const auto edges = unpaired_edges(model, first, end);
+    for (auto at = edges.begin(); at != edges.end();) {
+        const auto next = std::find_if(at, edges.end(), [&](const auto& edge) { return edge != *at; });
+        ++(next - at == 1 ? counts.border : counts.irregular);
+        at = next;
+    }
+    return counts;
+}
+
+std::size_t count_flat_faces(const LineModel& model, std::uint32_t first, std::uint32_t end)
+{
+    const auto is_flat = [&](const uvec3& f) {
+        const dvec3 a = model.positions[f.x], b = model.positions[f.y], c = model.positions[f.z];
+        return cross(b - a, c - a) == dvec3(0);
+    };
+    const std::vector<std::size_t> counts =
+        parallel_collect<std::size_t>(end - first, 1 << 15, [&](std::size_t from, std::size_t to, std::vector<std::size_t>& out) {
+            const auto begin = model.faces.begin() + first;
+            out.push_back(std::size_t(std::count_if(begin + std::ptrdiff_t(from), begin + std::ptrdiff_t(to), is_flat)));
+        });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+}
+
+} // namespace
+
+Bounds Models::bounds() const
+{
+    Bounds all;
+    for (const Input& input : inputs)
+        all.add(input.bounds);
+    return all;
+}
+
+std::vector<std::string> topology_notes(const LineModel& model, std::size_t object)
+{
+    const std::uint32_t first = model.first_face[object], end = model.first_face[object + 1];
+    const EdgeCounts edges = count_unpaired(model, first, end);
+    std::vector<std::string> notes;
+    const auto note = [&](std::size_t count, std::string_view noun) {
+        if (count > 0)
+            notes.push_back(counted(count, noun));
+    };
+    note(edges.border, "border edge");
+    note(edges.irregular, "non-manifold edge");
+    note(count_flat_faces(model, first, end), "zero-area face");
+    return notes;
+}
+
+std::string input_format(const std::string& file, const std::string& from) { return from.empty() ? file_ending(file) : from; }
+
+Models prepare_models(const ModelOptions& options, Console& console)
+{
+    Models models;
+    std::vector<PreparedMesh> loaded;
+    for (const std::string& file : options.files) {
+        console.progress("reading " + file, 0.3 * double(loaded.size()) / double(options.files.size()));
+        loaded.push_back(load(file, options, models.inputs.emplace_back(), models));
+    }
+    Stopwatch watch;
+    std::vector<PlacedSurface> placed;
+    for (const PreparedMesh& model : loaded)
+        placed.push_back(model.placed());
+    models.lines = build_line_model(placed);
+    for (std::size_t object = 0; object < models.inputs.size(); ++object) {
+        const std::vector<std::string> more = topology_notes(models.lines, object);
+        models.inputs[object].notes.insert(models.inputs[object].notes.end(), more.begin(), more.end());
+    }
+    models.merge_seconds = watch.lap();
+    return models;
+}

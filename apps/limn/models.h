@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common.h"
+#include "console.h"
+#include "limn/lines/prepare.h"
+
+/// What is read and how it is prepared.
+struct ModelOptions {
+    std::vector<std::string> files;
+    std::string from; ///< format of the files, whatever their ending; "" takes their own
+    limn::PrepareOptions prepare;
+};
+
+/// What is worth telling of a model that was read.
+struct Input {
+    std::string file, format;
+    std::size_t vertices = 0, triangles = 0;
+    limn::Bounds bounds;
+    std::vector<std::string> notes;               ///< what is unclean
+    std::optional<limn::EstimateReport> estimate; ///< where curvature was estimated in this run
+};
+
+/// Models that stand in one world, ready to be drawn from any side.
+struct Models {
+    limn::LineModel lines;
+    std::vector<Input> inputs;
+    double read_seconds = 0, surface_seconds = 0, merge_seconds = 0;
+
+    limn::Bounds bounds() const;
+    std::size_t triangle_count() const { return lines.faces.size(); }
+};
+
+/// Reads the files and estimates their surfaces. The meshes are let go before this returns.
+/// @throws limn::Error::Read naming the file that cannot be read.
+Models prepare_models(const ModelOptions& options, Console& console);
+
+/// "3 border edges", "2 non-manifold edges", "1 zero-area face": of one object of a model; empty for a clean closed one.
+std::vector<std::string> topology_notes(const limn::LineModel& model, std::size_t object);
+
+/// The format of a file as given on the command line: `from`, or its ending.
+std::string input_format(const std::string& file, const std::string& from);

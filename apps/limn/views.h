@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "limn/camera/camera.h"
+
+/// Where the cameras stand, as on the command line. Texts are read after the parsing.
+struct ViewOptions {
+    std::string size;               ///< WxH; "" takes 1600x1200
+    std::vector<std::string> views; ///< names or AZ,EL
+    std::string eye, look, up;      ///< x,y,z or ""
+    double fov_degrees = 30;
+    bool orthographic = false;
+    std::string scale;       ///< 1:N or ""
+    std::string unit = "mm"; ///< length of 1 in the model; for `scale`
+    std::string camera_file; ///< JSON, or ""
+    std::string up_axis;     ///< y, z or ""
+};
+
+/// --size, --view, --eye, --look, --up, --fov, --ortho, --scale, --unit, --camera, --up-axis.
+void add_view_options(CLI::App& app, ViewOptions& options);
+
+/// @throws limn::Error::Input for texts that say nothing, values out of range and options that contradict each other.
+void check_view_options(const ViewOptions& options);
+
+/// Several pictures on one sheet, all at one scale.
+struct Sheet {
+    limn::ivec2 size = {0, 0};
+    std::vector<limn::Camera> cameras;
+    std::vector<limn::ivec2> corners; ///< upper left corner of each camera's picture
+    double mm_per_pixel = 0;          ///< of a true scale; 0: none was asked for
+};
+
+/// 'z' for the formats of 3D printing (stl, 3mf), 'y' otherwise, or what the options say.
+char up_axis_of(const ViewOptions& options, const std::string& format);
+
+/// The cameras that the options ask for, around a box.
+/// @throws limn::Error::Input for a value out of its range, limn::Error::Read for a bad camera file.
+Sheet make_sheet(const ViewOptions& options, const limn::Bounds& bounds, char up_axis);
+
+/// The one camera that the options ask for, turned around the model in `count` equal steps at one distance; a sheet each.
+std::vector<Sheet> turntable(const ViewOptions& options, const limn::Bounds& bounds, char up_axis, int count);
