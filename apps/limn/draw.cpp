@@ -171,9 +171,9 @@ std::vector<std::string> draw_all(const Stage& stage, const std::vector<Output>&
 {
     const DrawCommand& command = stage.command;
     const char up_axis = up_axis_of(command.view, stage.models.inputs.front().format);
-    const Bounds bounds = stage.models.bounds();
-    std::vector<Sheet> sheets = command.turntable > 0 ? turntable(command.view, bounds, up_axis, command.turntable)
-                                                      : std::vector<Sheet>{make_sheet(command.view, bounds, up_axis)};
+    const Scene scene = {stage.models.lines, stage.models.bounds()};
+    std::vector<Sheet> sheets = command.turntable > 0 ? turntable(command.view, scene, up_axis, command.turntable)
+                                                      : std::vector<Sheet>{make_sheet(command.view, scene, up_axis)};
     std::vector<std::string> written;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         if (sheets.size() > 1)

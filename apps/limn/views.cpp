@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "fit_camera.h"
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/options.h"
@@ -103,20 +104,6 @@ Camera read_camera(const ViewOptions& options)
     return camera;
 }
 
-/// Moves framed cameras to the largest distance (or height) among them, so that the model has one scale in all.
-void share_scale(std::vector<Camera>& cameras)
-{
-    double height = 0, distance = 0;
-    for (const Camera& camera : cameras) {
-        height = std::max(height, camera.ortho_height);
-        distance = std::max(distance, length(camera.eye - camera.look));
-    }
-    for (Camera& camera : cameras) {
-        camera.ortho_height = height;
-        camera.eye = camera.look - distance * camera.forward();
-    }
-}
-
 /// Pictures of equal size in rows, as many columns as rows or one more.
 void lay_out(Sheet& sheet, std::size_t count, ivec2 picture)
 {
@@ -132,17 +119,17 @@ ivec2 picture_size(ivec2 sheet, std::size_t count)
     return {sheet.x / columns, sheet.y / rows};
 }
 
-std::vector<Camera> framed_cameras(const ViewOptions& options, const Bounds& bounds, char up_axis, ivec2 picture)
+std::vector<Camera> framed_cameras(const ViewOptions& options, const Scene& scene, char up_axis, ivec2 picture)
 {
     std::vector<Camera> cameras;
     const std::vector<std::string> views = options.views.empty() ? std::vector<std::string>{Framing().view} : options.views;
     for (const std::string& view : views)
-        cameras.push_back(Camera::framing(bounds, {.view = view,
-                                                   .up_axis = up_axis,
-                                                   .size = picture,
-                                                   .fov_degrees = options.fov_degrees,
-                                                   .orthographic = options.orthographic || !options.scale.empty()}));
-    share_scale(cameras);
+        cameras.push_back(Camera::framing(scene.bounds, {.view = view,
+                                                         .up_axis = up_axis,
+                                                         .size = picture,
+                                                         .fov_degrees = options.fov_degrees,
+                                                         .orthographic = options.orthographic || !options.scale.empty()}));
+    fit_cameras(cameras, scene.model);
     return cameras;
 }
 
@@ -190,7 +177,7 @@ std::vector<Camera> turned_around(const Camera& camera, const Bounds& bounds, ch
 }
 
 /// Views at the camera's elevation from all around, framed so that the model fits in every one.
-std::vector<Camera> framed_around(ViewOptions options, const Camera& camera, const Bounds& bounds, char up_axis, int count)
+std::vector<Camera> framed_around(ViewOptions options, const Camera& camera, const Scene& scene, char up_axis, int count)
 {
     const dvec3 towards = -camera.forward();
     const dvec3 y_up = up_axis == 'z' ? dvec3(towards.x, towards.z, -towards.y) : towards;
@@ -198,7 +185,7 @@ std::vector<Camera> framed_around(ViewOptions options, const Camera& camera, con
     options.views.clear();
     for (int i = 0; i < count; ++i)
         options.views.push_back(fmt::format("{},{}", azimuth + 360.0 * i / count, elevation));
-    return framed_cameras(options, bounds, up_axis, camera.size);
+    return framed_cameras(options, scene, up_axis, camera.size);
 }
 
 } // namespace
@@ -258,7 +245,7 @@ char up_axis_of(const ViewOptions& options, const std::string& format)
     return format == "stl" || format == "3mf" ? 'z' : 'y';
 }
 
-Sheet make_sheet(const ViewOptions& options, const Bounds& bounds, char up_axis)
+Sheet make_sheet(const ViewOptions& options, const Scene& scene, char up_axis)
 {
     Sheet sheet;
     if (!options.camera_file.empty()) {
@@ -269,21 +256,21 @@ Sheet make_sheet(const ViewOptions& options, const Bounds& bounds, char up_axis)
     const std::size_t count = std::max<std::size_t>(1, options.views.size());
     const ivec2 picture = picture_size(options.size.empty() ? default_size : parse_size(options.size), count);
     if (options.eye.empty())
-        sheet.cameras = framed_cameras(options, bounds, up_axis, picture);
+        sheet.cameras = framed_cameras(options, scene, up_axis, picture);
     else
-        sheet.cameras = {placed_camera(options, bounds, up_axis, picture)};
+        sheet.cameras = {placed_camera(options, scene.bounds, up_axis, picture)};
     lay_out(sheet, count, picture);
     if (!options.scale.empty())
-        apply_scale(options, bounds, sheet);
+        apply_scale(options, scene.bounds, sheet);
     return sheet;
 }
 
-std::vector<Sheet> turntable(const ViewOptions& options, const Bounds& bounds, char up_axis, int count)
+std::vector<Sheet> turntable(const ViewOptions& options, const Scene& scene, char up_axis, int count)
 {
-    const Sheet still = make_sheet(options, bounds, up_axis);
+    const Sheet still = make_sheet(options, scene, up_axis);
     const bool framed = options.eye.empty() && options.camera_file.empty();
-    std::vector<Camera> cameras =
-        framed ? framed_around(options, still.cameras[0], bounds, up_axis, count) : turned_around(still.cameras[0], bounds, up_axis, count);
+    std::vector<Camera> cameras = framed ? framed_around(options, still.cameras[0], scene, up_axis, count)
+                                         : turned_around(still.cameras[0], scene.bounds, up_axis, count);
     std::vector<Sheet> sheets(std::size_t(count), still);
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         if (!options.scale.empty())

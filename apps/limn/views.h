@@ -1,12 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "limn/camera/camera.h"
+#include "limn/lines/line_model.h"
 
 /// Where the cameras stand, as on the command line. Texts are read after the parsing.
 struct ViewOptions {
@@ -38,9 +38,15 @@ struct Sheet {
 /// 'z' for the formats of 3D printing (stl, 3mf), 'y' otherwise, or what the options say.
 char up_axis_of(const ViewOptions& options, const std::string& format);
 
-/// The cameras that the options ask for, around a box.
+/// What the cameras look at.
+struct Scene {
+    const limn::LineModel& model;
+    limn::Bounds bounds;
+};
+
+/// The cameras that the options ask for, around a model.
 /// @throws limn::Error::Input for a value out of its range, limn::Error::Read for a bad camera file.
-Sheet make_sheet(const ViewOptions& options, const limn::Bounds& bounds, char up_axis);
+Sheet make_sheet(const ViewOptions& options, const Scene& scene, char up_axis);
 
 /// The one camera that the options ask for, turned around the model in `count` equal steps at one distance; a sheet each.
-std::vector<Sheet> turntable(const ViewOptions& options, const limn::Bounds& bounds, char up_axis, int count);
+std::vector<Sheet> turntable(const ViewOptions& options, const Scene& scene, char up_axis, int count);

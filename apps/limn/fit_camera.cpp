@@ -1,0 +1,89 @@
+#include "fit_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limn/base/parallel.h"
+
+using namespace limn;
+
+namespace {
+
+/// How far a model reaches to the four sides of a camera's picture. A plane of the frustum through the point at distance
+/// c from the middle holds the model on its inner side when c * slope is at least the reach; slope 0 is orthographic.
+struct Reach {
+    double right = 0, left = 0, above = 0, below = 0;
+
+    void add(const Reach& other)
+    {
+        right = std::max(right, other.right);
+        left = std::max(left, other.left);
+        above = std::max(above, other.above);
+        below = std::max(below, other.below);
+    }
+};
+
+/// The slopes of the frustum's sides without the margin.
+dvec2 slopes(const Camera& camera)
+{
+    if (camera.orthographic)
+        return dvec2(0);
+    const double y = std::tan(glm::radians(camera.fov_degrees) / 2) * (1 - 2 * Framing().margin);
+    return {y * camera.size.x / camera.size.y, y};
+}
+
+Reach reach_of(const LineModel& model, const Camera& camera)
+{
+    const vec3 right(camera.right()), above(camera.above()), towards(-camera.forward());
+    const vec3 middle = model.from_world(camera.look);
+    const vec2 slope(slopes(camera));
+    const auto reach_of_block = [&](std::size_t begin, std::size_t end, std::vector<Reach>& out) {
+        vec4 most(-std::numeric_limits<float>::infinity());
+        for (std::size_t i = begin; i < end; ++i) {
+            const vec3 p = model.positions[i] - middle;
+            const float x = dot(p, right), y = dot(p, above), z = dot(p, towards);
+            most = max(most, vec4(x + slope.x * z, -x + slope.x * z, y + slope.y * z, -y + slope.y * z));
+        }
+        out.push_back(
+            {model.scale * double(most.x), model.scale * double(most.y), model.scale * double(most.z), model.scale * double(most.w)});
+    };
+    const std::vector<Reach> parts = parallel_collect<Reach>(model.vertex_count(), 1 << 15, reach_of_block);
+    Reach all = parts.empty() ? Reach() : parts.front();
+    for (const Reach& part : parts)
+        all.add(part);
+    return all;
+}
+
+/// Shifts the camera so that it reaches as far to the left as to the right, and as far up as down.
+void centre(Camera& camera, Reach& reach)
+{
+    const dvec3 shift = camera.right() * ((reach.right - reach.left) / 2) + camera.above() * ((reach.above - reach.below) / 2);
+    camera.eye += shift;
+    camera.look += shift;
+    reach.right = reach.left = (reach.right + reach.left) / 2;
+    reach.above = reach.below = (reach.above + reach.below) / 2;
+}
+
+} // namespace
+
+void fit_cameras(std::vector<Camera>& cameras, const LineModel& model)
+{
+    constexpr double least = 1e-3; // of the model's radius: a point or a line still gets a picture
+    double distance = least * model.scale, height = 2 * least * model.scale;
+    for (Camera& camera : cameras) {
+        Reach reach = reach_of(model, camera);
+        if (cameras.size() == 1)
+            centre(camera, reach);
+        const double x = std::max(reach.right, reach.left), y = std::max(reach.above, reach.below);
+        const dvec2 slope = slopes(camera);
+        if (!camera.orthographic)
+            distance = std::max({distance, x / slope.x, y / slope.y});
+        height =
+            std::max({height, 2 * y / (1 - 2 * Framing().margin), 2 * x * camera.size.y / (camera.size.x * (1 - 2 * Framing().margin))});
+    }
+    for (Camera& camera : cameras) {
+        if (!camera.orthographic)
+            camera.eye = camera.look - distance * camera.forward();
+        camera.ortho_height = height;
+    }
+}
