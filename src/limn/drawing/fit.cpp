@@ -72,7 +72,7 @@ double distance_to_piece(const dvec2& p, const dvec2& a, const dvec2& b)
 class PieceFitter {
 public:
     PieceFitter(const Points& points, Range piece, Tangents ends, double tolerance)
-        : points_(points), piece_(piece), ends_(ends), tolerance_(tolerance)
+        : points_(points), piece_(piece), ends_(ends), tolerance_(0.95 * tolerance) // the rest is for what lies between samples
     {
     }
 
@@ -194,6 +194,7 @@ private:
     /// The largest distance of the points from the curve and of the curve from the line between the points.
     Worst measure(Range range) const
     {
+        const int samples = std::max(3, 24 / int(parameters_.size() - 1)); // between two points
         Worst worst;
         const auto see = [&](std::size_t index, double error) {
             if (error > worst.error)
@@ -203,8 +204,10 @@ private:
             const std::size_t i = range.first + k;
             if (k > 0)
                 see(i, glm::length(curve_.at(parameters_[k]) - points_[i]));
-            for (const double part : {0.25, 0.5, 0.75})
+            for (int sample = 1; sample <= samples; ++sample) {
+                const double part = double(sample) / (samples + 1);
                 see(part < 0.5 ? i : i + 1, distance_to_line(curve_.at(glm::mix(parameters_[k], parameters_[k + 1], part)), i, range));
+            }
         }
         return worst;
     }

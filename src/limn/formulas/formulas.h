@@ -14,6 +14,7 @@ namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/radial_curvature.glsl"
+#include "limn/formulas/shading.glsl"
 } // namespace limn::formulas
 
 #undef FORMULA

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "limn/base/vec.h"
+#include "limn/camera/camera.h"
+#include "limn/raycast/ray_scene.h"
+
+namespace limn {
+
+/// One object of a RayScene with what pictures need of it.
+struct SeenObject {
+    RayTriangles triangles;
+    std::span<const vec3> normals; ///< one per vertex, unit; empty: those of the triangles
+};
+
+/// What a camera looks at. `objects` are those that `rays` was built from, in the same order; their coordinates are
+/// (world - centre) / scale. Everything that it points to must outlive it.
+struct SeenScene {
+    const RayScene* rays = nullptr;
+    std::vector<SeenObject> objects;
+    dvec3 centre = dvec3(0);
+    double scale = 1;
+};
+
+/// What is seen at one place of a picture. Without a hit only `object` (none) has a meaning.
+struct Fragment {
+    std::uint32_t object = none, triangle = none;
+    float depth = 0;                ///< along the viewing direction, world units
+    vec3 position = vec3(0);        ///< in the frame of the scene
+    vec3 normal = vec3(0);          ///< interpolated from the vertices, unit
+    vec3 face_normal = vec3(0);     ///< of the triangle, unit
+    vec3 to_eye = vec3(0);          ///< unit
+    bool hit() const { return object != none; }
+    bool front() const { return glm::dot(face_normal, to_eye) > 0; }
+};
+
+/// Finds what a camera sees at places of its picture, one ray each. Safe to use from many threads; the scene must outlive it.
+class FragmentTracer {
+public:
+    FragmentTracer(const SeenScene& scene, const Camera& camera);
+    /// @param pixel  x right, y down; pixel centres at .5
+    Fragment at(const dvec2& pixel) const;
+
+private:
+    const SeenScene& scene_;
+    Camera camera_;
+    dvec3 forward_, right_, above_;
+    double world_per_pixel_; ///< at depth 1 (perspective) or at any depth
+    double radius_;          ///< of a sphere around the frame's origin that holds every object
+};
+
+/// `count` places in the unit square, no two of which share a row or column of count x count cells: edges along pixels are
+/// resolved in `count` steps.
+std::vector<dvec2> sample_pattern(int count);
+
+} // namespace limn

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "limn/base/image.h"
+#include "limn/base/options.h"
+#include "limn/raycast/fragment.h"
+
+namespace limn {
+
+enum class Shading : std::uint8_t {
+    smooth, ///< diffuse, from the interpolated normals
+    flat,   ///< diffuse, from the normals of the triangles
+    toon,   ///< few even tones, from the interpolated normals
+};
+
+/// How a picture is shaded. Tones are mixed as encoded colours, as pens and printers do.
+struct ShadeOptions {
+    Shading shading = Shading::smooth;
+    std::optional<dvec3> to_light; ///< world direction towards a distant light, any length; absent: a headlight at the eye
+    int toon_levels = 2;           ///< tones of toon shading, 2..16
+    float toon_limit = 0.3f;       ///< diffuse value below which toon shading is dark, in (0,1)
+    vec3 dark = vec3(0.25f);       ///< encoded (sRGB) colour of unlit places
+    vec3 light = vec3(1);          ///< of fully lit ones
+    vec3 background = vec3(1);
+    int samples = 16;              ///< rays of a pixel on an edge, 1..256
+};
+
+/// The shaded picture, RGB, of the camera's size. Anti-aliased with a box filter: one ray at each pixel's centre, and
+/// `samples` rays where one of the eight pixels around has another colour; what is narrower than a pixel may be missed where it
+/// hits no centre. Multi-threaded; same bytes for any number of threads.
+/// @throws Error::Input for a number out of range or a light without direction.
+Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& options = {});
+
+/// Diffuse value of a fragment in [0,1]: Lambert's law for the side that is seen.
+/// @param to_light  unit; zero for a headlight
+float diffuse_value(const Fragment& fragment, const vec3& normal, const vec3& to_light);
+
+} // namespace limn

@@ -1,0 +1,159 @@
+#include "limn/raycast/shading.h"
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <set>
+
+#include "limn/base/error.h"
+#include "limn/base/parallel.h"
+#include "raycast/scene.h"
+
+namespace limn {
+namespace {
+
+ShadeOptions grey(Shading shading)
+{
+    ShadeOptions options;
+    options.shading = shading;
+    options.dark = vec3(0);
+    return options;
+}
+
+TEST(Shade, SmoothHeadlightOnASphereIsTheCosine)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 50000));
+    const Image image = shade(scene.finish(), test::orthographic_camera(120), grey(Shading::smooth));
+    ASSERT_EQ(image.channels, 3);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 120; ++x) {
+            const double r2 = (std::pow(x - 59.5, 2) + std::pow(y - 59.5, 2)) / 2500;
+            if (r2 < 0.9) {
+                ASSERT_NEAR(image.at(x, y)[1], std::sqrt(1 - r2), 2e-3);
+            } else if (r2 > 1.1) {
+                ASSERT_EQ(image.at(x, y)[1], 1.0f);
+            }
+        }
+}
+
+TEST(Shade, ADirectionalLightDoesNotTurnWithTheCamera)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 50000));
+    const SeenScene& seen = scene.finish();
+    ShadeOptions options = grey(Shading::smooth);
+    options.to_light = dvec3(0, 3, 0);
+    Camera camera = test::orthographic_camera(60);
+    for (const dvec3& eye : {dvec3(0, 0, 5), dvec3(5, 0, 0)}) {
+        camera.eye = eye;
+        const Image image = shade(seen, camera, options);
+        for (int y = 8; y < 52; ++y)
+            EXPECT_NEAR(image.at(30, y)[0], std::max(0.0, (29.5 - y) / 25), 0.01) << y;
+    }
+}
+
+TEST(Shade, FlatGivesEachTriangleOneTone)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 80));
+    Camera camera = test::orthographic_camera(100);
+    const Image image = shade(scene.finish(), camera, grey(Shading::flat));
+    const FragmentTracer tracer(scene.seen, camera);
+    std::set<std::uint32_t> triangles;
+    int seen = 0, even = 0;
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const Fragment fragment = tracer.at({x + 0.5, y + 0.5});
+            if (!fragment.hit())
+                continue;
+            triangles.insert(fragment.triangle);
+            ++seen;
+            even += std::abs(image.at(x, y)[0] - fragment.face_normal.z) < 1e-5f; // the others blend at edges
+        }
+    EXPECT_GT(triangles.size(), 20u);
+    EXPECT_GT(even, seen * 6 / 10);
+}
+
+TEST(Shade, ToonHasItsTonesAndBlendsOnlyOnEdges)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 50000));
+    ShadeOptions options = grey(Shading::toon);
+    options.toon_limit = 0.5f;
+    options.toon_levels = 3;
+    options.background = vec3(1, 0, 0);
+    const Image image = shade(scene.finish(), test::orthographic_camera(120), options);
+    int blended = 0;
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 120; ++x) {
+            const double r = std::hypot(x - 59.5, y - 59.5) / 50;
+            const double edges[] = {std::sqrt(1 - 0.75 * 0.75), std::sqrt(0.75), 1.0};
+            bool near_edge = false;
+            for (const double edge : edges)
+                near_edge = near_edge || std::abs(r - edge) < 0.02;
+            const float* p = image.at(x, y);
+            const vec3 colour = {p[0], p[1], p[2]};
+            const vec3 expected = r < edges[0] ? vec3(1) : r < edges[1] ? vec3(0.5f) : r < 1 ? vec3(0) : vec3(1, 0, 0);
+            ASSERT_TRUE(near_edge || colour == expected) << x << " " << y;
+            blended += colour != vec3(1) && colour != vec3(0.5f) && colour != vec3(0) && colour != vec3(1, 0, 0);
+        }
+    EXPECT_GT(blended, 400);
+}
+
+TEST(Shade, AntiAliasedEdgesKeepTheAreaOfADisc)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 100000));
+    ShadeOptions options;
+    options.dark = options.light = vec3(0);
+    const Image image = shade(scene.finish(), test::orthographic_camera(60), options);
+    double area = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 60; ++x)
+            area += 1 - double(image.at(x, y)[0]);
+    EXPECT_NEAR(area, std::numbers::pi * 625, 0.002 * std::numbers::pi * 625);
+}
+
+TEST(Shade, LightsTheBackOfAnOpenSheet)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("plane", 200));
+    Camera camera = test::orthographic_camera(20);
+    camera.eye = {0, 0, -5};
+    EXPECT_NEAR(shade(scene.finish(), camera, grey(Shading::smooth)).at(10, 10)[0], 1, 1e-6);
+}
+
+TEST(Shade, IsTheSameForAnyNumberOfThreads)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("blob", 20000));
+    const SeenScene& seen = scene.finish();
+    const Camera camera = test::orthographic_camera(150);
+    const Image one = with_threads(1, [&] { return shade(seen, camera); }), two = with_threads(2, [&] { return shade(seen, camera); });
+    ASSERT_EQ(one.samples.size(), two.samples.size());
+    EXPECT_EQ(std::memcmp(one.samples.data(), two.samples.data(), one.samples.size() * sizeof(float)), 0);
+}
+
+TEST(Shade, RefusesNumbersOutOfRange)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("plane", 2));
+    const SeenScene& seen = scene.finish();
+    const Camera camera = test::orthographic_camera(4);
+    ShadeOptions options;
+    options.toon_levels = 1;
+    EXPECT_THROW(shade(seen, camera, options), Error::Input);
+    options = {};
+    options.toon_limit = 1;
+    EXPECT_THROW(shade(seen, camera, options), Error::Input);
+    options = {};
+    options.samples = 0;
+    EXPECT_THROW(shade(seen, camera, options), Error::Input);
+    options = {};
+    options.to_light = dvec3(0);
+    EXPECT_THROW(shade(seen, camera, options), Error::Input);
+}
+
+} // namespace
+} // namespace limn
