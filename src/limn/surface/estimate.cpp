@@ -33,6 +33,8 @@ Surface estimate_by_jets(const Mesh& mesh, const VertexFaces& faces, const Estim
     const RingChoice choice = options.radius == 0 ? choose_rings(context) : predict_rings(context, options.radius);
     Surface surface;
     const JetCounts counts = fit_surface(context, choice.setting, options.need, surface);
+    if (choice.max_normals)
+        replace_normals(surface, max_vertex_normals(mesh, faces));
     smooth(mesh, faces, context.neighbours, {options.smooth, options.smooth, options.smooth + choice.derivative_passes}, surface);
     report = {choice.setting.rings, choice.setting.model.degree, choice.position_noise, choice.predicted_error,
               choice.reliable, counts.refitted, counts.failed};

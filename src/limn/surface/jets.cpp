@@ -34,7 +34,9 @@ std::vector<Attempt> attempts(const JetSetting& setting)
     std::vector<Attempt> list = {attempt(degree, rings), attempt(degree, rings + 1), attempt(degree, rings + 2)};
     if (degree > 3)
         list.push_back(attempt(3, rings + 1));
-    list.push_back(attempt(2, rings));
+    // Near points count most in the last attempts, whatever the noise.
+    list.push_back({{2, true}, {2, least_points(2, 2)}});
+    list.push_back({{2, true}, {2, least_points(2, 2), -1}});
     return list;
 }
 
@@ -45,18 +47,20 @@ struct Scratch {
     std::vector<Jet> jets;
 };
 
-bool fits_float(const Jet& jet)
+/// A fit whose normal is far from the faces' has found a slope between the points that nobody can see.
+bool plausible(const Jet& jet, const dvec3& face_normal)
 {
     const double most = std::numeric_limits<float>::max();
     const dvec4 size = glm::abs(jet.derivative);
-    return std::abs(jet.k1) < most && std::max({size.x, size.y, size.z, size.w}) < most;
+    return jet.ok && glm::dot(jet.normal, face_normal) >= 0.8 && std::abs(jet.k1) < most &&
+           std::max({size.x, size.y, size.z, size.w}) < most;
 }
 
 class SurfaceFit {
 public:
     SurfaceFit(const JetContext& context, Need need, Surface& surface)
         : context_(context), derivative_(need == Need::derivative), surface_(surface),
-          scratch_([&] { return Scratch{RingCollector(context.positions, context.neighbours), {}, {}}; })
+          scratch_([&] { return Scratch{RingCollector(context.positions, context.normals, context.neighbours), {}, {}}; })
     {
     }
 
@@ -71,7 +75,7 @@ public:
             scratch.jets.resize(scratch.hoods.size());
             fit_jets({context_.positions, context_.normals, &scratch.hoods, false}, attempt.model, scratch.jets);
             for (std::size_t i = 0; i < scratch.jets.size(); ++i)
-                if (scratch.jets[i].ok && fits_float(scratch.jets[i]))
+                if (plausible(scratch.jets[i], context_.normals[scratch.hoods.centre[i]]))
                     store(scratch.hoods.centre[i], scratch.jets[i]);
                 else
                     failed.push_back(scratch.hoods.centre[i]);
@@ -81,7 +85,7 @@ public:
 
     void flag(std::uint32_t v)
     {
-        const TangentFrame frame = any_frame(unit_or_zero(context_.normals[v]));
+        const TangentFrame frame = any_frame(context_.normals[v]);
         surface_.normals[v] = vec3(frame.n);
         surface_.e1[v] = vec3(frame.u);
         surface_.e2[v] = vec3(frame.v);

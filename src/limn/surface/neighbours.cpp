@@ -1,6 +1,7 @@
 #include "limn/surface/neighbours.h"
 
 #include "limn/base/parallel.h"
+#include "limn/surface/tangent.h"
 
 namespace limn {
 namespace {
@@ -59,13 +60,13 @@ std::vector<dvec3> area_normals(std::span<const dvec3> positions, std::span<cons
             const uvec3& t = triangles[faces.face[i]];
             sum += glm::cross(positions[t.y] - positions[t.x], positions[t.z] - positions[t.x]);
         }
-        normals[v] = sum;
+        normals[v] = unit_or_zero(sum);
     });
     return normals;
 }
 
-RingCollector::RingCollector(std::span<const dvec3> positions, const Neighbours& neighbours)
-    : positions_(positions), neighbours_(neighbours), stamps_(positions.size(), 0)
+RingCollector::RingCollector(std::span<const dvec3> positions, std::span<const dvec3> normals, const Neighbours& neighbours)
+    : positions_(positions), normals_(normals), neighbours_(neighbours), stamps_(positions.size(), 0)
 {
 }
 
@@ -75,33 +76,34 @@ void RingCollector::collect(std::uint32_t centre, const RingSize& size, std::vec
         std::fill(stamps_.begin(), stamps_.end(), 0u);
         stamp_ = 1;
     }
-    const std::size_t first = out.size();
+    axis_ = normals_[centre];
+    least_cosine_ = size.least_cosine;
     stamps_[centre] = stamp_;
-    for (const std::uint32_t u : neighbours_.of(centre)) {
-        stamps_[u] = stamp_;
-        out.push_back(u);
-    }
+    const std::size_t first = out.size();
+    for (const std::uint32_t u : neighbours_.of(centre))
+        visit(u, out);
     std::size_t begin = first;
     for (int ring = 2; ring <= most_rings && (ring <= size.rings || out.size() - first < size.least); ++ring) {
         const std::size_t end = out.size();
-        expand(begin, end, first + expansion_limit, out);
+        for (std::size_t i = begin; i < end; ++i)
+            for (const std::uint32_t u : neighbours_.of(out[i]))
+                if (out.size() < first + expansion_limit)
+                    visit(u, out);
+                else
+                    break;
         begin = end;
     }
     if (out.size() - first > most)
         keep_nearest(centre, first, out);
 }
 
-void RingCollector::expand(std::size_t begin, std::size_t end, std::size_t limit, std::vector<std::uint32_t>& out)
+void RingCollector::visit(std::uint32_t vertex, std::vector<std::uint32_t>& out)
 {
-    for (std::size_t i = begin; i < end; ++i)
-        for (const std::uint32_t u : neighbours_.of(out[i])) {
-            if (out.size() >= limit)
-                return;
-            if (stamps_[u] != stamp_) {
-                stamps_[u] = stamp_;
-                out.push_back(u);
-            }
-        }
+    if (stamps_[vertex] == stamp_)
+        return;
+    stamps_[vertex] = stamp_;
+    if (glm::dot(normals_[vertex], axis_) >= least_cosine_)
+        out.push_back(vertex);
 }
 
 void RingCollector::keep_nearest(std::uint32_t centre, std::size_t first, std::vector<std::uint32_t>& out) const

@@ -16,14 +16,15 @@ struct Neighbours {
 };
 Neighbours build_neighbours(std::span<const uvec3> triangles, const VertexFaces& faces);
 
-/// Sums of the cross products of the faces around each vertex: the area-weighted normal times twice the area. Not
-/// normalised; zero where no face has area.
+/// Unit vertex normals, weighted by the areas of the faces around; zero where no face has area.
 std::vector<dvec3> area_normals(std::span<const dvec3> positions, std::span<const uvec3> triangles, const VertexFaces& faces);
 
 /// How far a neighbourhood reaches.
 struct RingSize {
     int rings = 2;
-    std::size_t least = 18; ///< rings are added (to at most 8) while there are fewer points
+    std::size_t least = 18;      ///< rings are added (to at most 8) while there are fewer points
+    double least_cosine = 0.5;   ///< vertices whose normal is turned further from the centre's are left out, with what lies
+                                 ///< behind them: a height over the tangent plane says nothing about the other side of an ear
 };
 
 /// Collects rings of neighbours breadth first. Keeps one stamp per vertex, so make one collector for each thread and use
@@ -32,18 +33,21 @@ class RingCollector {
 public:
     static constexpr std::size_t most = 128; ///< of more points the nearest are kept
 
-    RingCollector(std::span<const dvec3> positions, const Neighbours& neighbours);
+    /// @param normals  unit; one for each position
+    RingCollector(std::span<const dvec3> positions, std::span<const dvec3> normals, const Neighbours& neighbours);
     /// Appends the neighbourhood of `centre` (without itself) to `out`.
     void collect(std::uint32_t centre, const RingSize& size, std::vector<std::uint32_t>& out);
 
 private:
-    void expand(std::size_t begin, std::size_t end, std::size_t limit, std::vector<std::uint32_t>& out);
+    void visit(std::uint32_t vertex, std::vector<std::uint32_t>& out);
     void keep_nearest(std::uint32_t centre, std::size_t first, std::vector<std::uint32_t>& out) const;
 
-    std::span<const dvec3> positions_;
+    std::span<const dvec3> positions_, normals_;
     const Neighbours& neighbours_;
     std::vector<std::uint32_t> stamps_;
     std::uint32_t stamp_ = 0;
+    dvec3 axis_ = dvec3(0);
+    double least_cosine_ = 0;
 };
 
 } // namespace limn

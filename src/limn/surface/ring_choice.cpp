@@ -13,8 +13,10 @@ namespace limn {
 namespace {
 
 constexpr std::size_t sample_size = 2000;
-constexpr int widest = 6;
-constexpr double wanted_error = 0.025;
+constexpr int most_rings = 5;
+constexpr int widest = 6; ///< for the size of the derivative: fewer rings inflate it
+constexpr double wanted_error = 0.025, noisy_error = 0.1;
+constexpr double most_turn = 0.7, coarse_turn = 1;
 
 /// Vertices with a normal, drawn with a fixed seed, ascending.
 std::vector<std::uint32_t> sample_vertices(const JetContext& context)
@@ -47,6 +49,7 @@ double median(std::vector<double> values)
 /// Medians over the sample for one number of rings; all 0 where no fit succeeded.
 struct Trial {
     double noise = 0, reach = 0, points = 0, derivative = 0;
+    double turn = 0; ///< |k1| times the reach: angle that the normal turns, radians
 };
 
 using Collectors = tbb::enumerable_thread_specific<RingCollector>;
@@ -54,21 +57,22 @@ using Collectors = tbb::enumerable_thread_specific<RingCollector>;
 Trial run_trial(const JetContext& context, const std::vector<std::uint32_t>& sample, int rings, Collectors& collectors)
 {
     struct Fit {
-        double noise, reach, points, derivative;
+        double noise, reach, points, derivative, turn;
     };
     const std::vector<Fit> fits = parallel_collect<Fit>(sample.size(), 256, [&](std::size_t begin, std::size_t end, std::vector<Fit>& out) {
         RingCollector& collector = collectors.local();
         Neighbourhoods hoods;
         hoods.clear();
         for (std::size_t i = begin; i < end; ++i) {
-            collector.collect(sample[i], {rings, 18}, hoods.neighbour);
+            collector.collect(sample[i], {.rings = rings}, hoods.neighbour);
             hoods.close(sample[i]);
         }
         std::vector<Jet> jets(hoods.size());
         fit_jets({context.positions, context.normals, &hoods, true}, {4, false}, jets);
         for (std::size_t i = 0; i < jets.size(); ++i)
             if (jets[i].ok)
-                out.push_back({jets[i].residual, jets[i].reach, double(hoods.start[i + 1] - hoods.start[i]), glm::length(jets[i].derivative)});
+                out.push_back({jets[i].residual, jets[i].reach, double(hoods.start[i + 1] - hoods.start[i]), glm::length(jets[i].derivative),
+                               std::abs(jets[i].k1) * jets[i].reach});
     });
     const auto median_of = [&](double Fit::*member) {
         std::vector<double> values;
@@ -76,7 +80,7 @@ Trial run_trial(const JetContext& context, const std::vector<std::uint32_t>& sam
             values.push_back(fit.*member);
         return median(std::move(values));
     };
-    return {median_of(&Fit::noise), median_of(&Fit::reach), median_of(&Fit::points), median_of(&Fit::derivative)};
+    return {median_of(&Fit::noise), median_of(&Fit::reach), median_of(&Fit::points), median_of(&Fit::derivative), median_of(&Fit::turn)};
 }
 
 /// Runs the trials that a choice asks for, each once.
@@ -84,7 +88,7 @@ class Trials {
 public:
     explicit Trials(const JetContext& context)
         : context_(context), sample_(sample_vertices(context)),
-          collectors_([&context] { return RingCollector(context.positions, context.neighbours); })
+          collectors_([&context] { return RingCollector(context.positions, context.normals, context.neighbours); })
     {
         Bounds box;
         for (const std::uint32_t v : sample_)
@@ -116,9 +120,46 @@ private:
     double size_ = 0;
 };
 
-RingChoice result(Trials& trials, int rings)
+/// More than 2 rings see too much of a strongly curved surface for a height over the tangent plane.
+bool allowed(Trials& trials, int rings) { return rings == 2 || trials.at(rings).turn <= most_turn; }
+
+/// The fewest allowed rings with the wanted error, or those with the smallest error.
+int best_rings(Trials& trials)
 {
-    return {{{4, rings == 2}, rings}, 0, trials.at(rings).noise, trials.error(rings), true};
+    int best = 2;
+    for (int rings = 3; rings <= most_rings && trials.error(best) > wanted_error; ++rings)
+        if (allowed(trials, rings) && trials.error(rings) < trials.error(best))
+            best = rings;
+    return best;
+}
+
+int most_allowed_rings(Trials& trials)
+{
+    int rings = most_rings;
+    while (!allowed(trials, rings))
+        --rings;
+    return rings;
+}
+
+RingChoice clean_choice(Trials& trials, int rings)
+{
+    RingChoice choice;
+    choice.setting = {{4, rings == 2}, rings};
+    choice.position_noise = trials.at(rings).noise;
+    choice.predicted_error = trials.error(rings);
+    choice.reliable = choice.predicted_error <= noisy_error && trials.at(2).turn <= coarse_turn;
+    return choice;
+}
+
+RingChoice noisy_choice(Trials& trials)
+{
+    RingChoice choice = clean_choice(trials, most_allowed_rings(trials));
+    choice.setting.model = {3, false};
+    choice.max_normals = true;
+    choice.derivative_passes = choice.predicted_error <= 0.25 ? 4 : choice.predicted_error <= 1 ? 8 : 16;
+    choice.predicted_error /= 1 + 0.5 * choice.derivative_passes;
+    choice.reliable = choice.predicted_error <= noisy_error && trials.at(2).turn <= coarse_turn;
+    return choice;
 }
 
 } // namespace
@@ -126,17 +167,14 @@ RingChoice result(Trials& trials, int rings)
 RingChoice predict_rings(const JetContext& context, int rings)
 {
     Trials trials(context);
-    return result(trials, rings);
+    return clean_choice(trials, rings);
 }
 
 RingChoice choose_rings(const JetContext& context)
 {
     Trials trials(context);
-    int best = 2;
-    for (int rings = 2; rings < widest && trials.error(best) > wanted_error; ++rings)
-        if (trials.error(rings) < trials.error(best))
-            best = rings;
-    return result(trials, best);
+    const int best = best_rings(trials);
+    return trials.error(best) <= noisy_error ? clean_choice(trials, best) : noisy_choice(trials);
 }
 
 } // namespace limn

@@ -8,6 +8,17 @@ namespace {
 
 constexpr std::size_t grain = 2048;
 
+TangentFrame frame_of(const Surface& surface, std::size_t v)
+{
+    return {dvec3(surface.e1[v]), dvec3(surface.e2[v]), dvec3(surface.normals[v])};
+}
+
+void set_directions(Surface& surface, std::size_t v, const TangentFrame& basis, const PlaneRotation& r)
+{
+    surface.e1[v] = vec3(r.c * basis.u + r.s * basis.v);
+    surface.e2[v] = vec3(r.c * basis.v - r.s * basis.u);
+}
+
 class Smoother {
 public:
     Smoother(Surface& surface, const Neighbours& neighbours, std::span<const double> areas)
@@ -22,11 +33,9 @@ public:
     {
         std::vector<dvec3> n(surface_.normals.begin(), surface_.normals.end());
         diffuse(n, passes, [](std::uint32_t, std::uint32_t, const dvec3& value) { return value; });
-        parallel_each(n.size(), grain, [&](std::size_t v) {
-            const dvec3 unit = unit_or_zero(n[v]);
-            if (unit != dvec3(0))
-                turn_frame(v, unit);
-        });
+        for (dvec3& normal : n)
+            normal = unit_or_zero(normal);
+        replace_normals(surface_, n);
     }
 
     void curvature(int passes)
@@ -85,27 +94,11 @@ private:
     }
 
     bool has_frame(std::size_t v) const { return surface_.e1[v] != vec3(0); }
-    TangentFrame frame(std::size_t v) const { return {dvec3(surface_.e1[v]), dvec3(surface_.e2[v]), dvec3(surface_.normals[v])}; }
-
-    void turn_frame(std::size_t v, const dvec3& n)
-    {
-        surface_.normals[v] = vec3(n);
-        if (surface_.e1.empty())
-            return;
-        const TangentFrame old = frame(v), basis = any_frame(n);
-        const PlaneRotation turn = transport(old, basis).inverse();
-        set_directions(v, basis, turn);
-    }
-
-    void set_directions(std::size_t v, const TangentFrame& basis, const PlaneRotation& r)
-    {
-        surface_.e1[v] = vec3(r.c * basis.u + r.s * basis.v);
-        surface_.e2[v] = vec3(r.c * basis.v - r.s * basis.u);
-    }
+    TangentFrame frame(std::size_t v) const { return frame_of(surface_, v); }
 
     void set_curvature(std::size_t v, const PrincipalFrame& principal)
     {
-        set_directions(v, frame(v), principal.rotation);
+        set_directions(surface_, v, frame(v), principal.rotation);
         surface_.k1[v] = float(principal.k1);
         surface_.k2[v] = float(principal.k2);
         if (!surface_.derivative.empty())
@@ -118,6 +111,18 @@ private:
 };
 
 } // namespace
+
+void replace_normals(Surface& surface, std::span<const dvec3> normals)
+{
+    parallel_each(normals.size(), grain, [&](std::size_t v) {
+        if (normals[v] == dvec3(0))
+            return;
+        const TangentFrame basis = any_frame(normals[v]);
+        if (surface.has_curvature())
+            set_directions(surface, v, basis, transport(frame_of(surface, v), basis).inverse());
+        surface.normals[v] = vec3(normals[v]);
+    });
+}
 
 void smooth_surface(Surface& surface, const Neighbours& neighbours, std::span<const double> areas, const SmoothPasses& passes)
 {

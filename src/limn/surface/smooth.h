@@ -7,6 +7,9 @@
 
 namespace limn {
 
+/// Replaces the normals (unit, or 0 to keep the old one) and carries the principal directions along by the smallest turn.
+void replace_normals(Surface& surface, std::span<const dvec3> normals);
+
 /// One-ring smoothing passes for each quantity. Smoothed normals belong to the centre of the neighbourhood instead of the
 /// vertex: right for noisy positions, worse than none for exact positions that are sampled irregularly.
 struct SmoothPasses {
