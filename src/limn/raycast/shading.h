@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "limn/base/image.h"
-#include "limn/base/options.h"
 #include "limn/raycast/fragment.h"
 
 namespace limn {
