@@ -105,7 +105,7 @@ TEST(ObjReader, SaysThatNoFaceIsLeft)
 {
     EXPECT_EQ(message_of(square), "mesh.obj: holds no face");
     EXPECT_EQ(message_of("v nan 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n"),
-              "mesh.obj: holds no face (1 faces with NaN or infinite vertices dropped)");
+              "mesh.obj: holds no face (1 face with NaN or infinite vertices dropped)");
 }
 
 TEST(ObjReader, JoinsEqualPositionsOnlyWhenAsked)
@@ -146,8 +146,8 @@ TEST(ObjReader, ReadsVertexColours)
 TEST(ObjReader, NotesWhatItDoesNotKnow)
 {
     const ReadResult result = read_text(square + "f 1 2 3\nfacce 1 2 3\nf 1 2\ns off\nmtllib a b\n");
-    EXPECT_EQ(result.notes, (std::vector<std::string>{"1 faces with fewer than 3 corners dropped (the first, 'f', in line 7)",
-                                                      "1 lines with an unknown keyword ignored (the first, 'facce', in line 6)"}));
+    EXPECT_EQ(result.notes, (std::vector<std::string>{"1 face with fewer than 3 corners dropped ('f' in line 7)",
+                                                      "1 line with an unknown keyword ignored ('facce' in line 6)"}));
 }
 
 TEST(ObjReader, GivesTheSameMeshForAnyNumberOfBlocksOfLines)

@@ -5,6 +5,7 @@
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/geometry/clean.h"
+#include "limn/geometry/counted.h"
 #include "limn/geometry/readers.h"
 #include "limn/geometry/vertex_order.h"
 #include "limn/geometry/weld.h"
@@ -66,11 +67,11 @@ void clean(Mesh& mesh, std::vector<std::string>& notes)
 {
     const DroppedFaces dropped = drop_bad_faces(mesh);
     if (dropped.not_finite > 0)
-        notes.push_back(fmt::format("{} faces with NaN or infinite vertices dropped", dropped.not_finite));
+        notes.push_back(counted(dropped.not_finite, "face", "faces") + " with NaN or infinite vertices dropped");
     if (dropped.repeated > 0)
-        notes.push_back(fmt::format("{} faces that use a vertex twice dropped", dropped.repeated));
+        notes.push_back(counted(dropped.repeated, "face that uses", "faces that use") + " a vertex twice dropped");
     if (dropped.duplicate > 0)
-        notes.push_back(fmt::format("{} duplicate faces dropped", dropped.duplicate));
+        notes.push_back(counted(dropped.duplicate, "duplicate face", "duplicate faces") + " dropped");
     drop_unused_vertices(mesh);
 }
 

@@ -4,6 +4,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/geometry/counted.h"
 #include "limn/geometry/face_blocks.h"
 #include "limn/geometry/readers.h"
 #include "limn/geometry/text_lines.h"
@@ -328,7 +329,8 @@ std::vector<vec4> join_colours(const std::vector<ObjBlock>& blocks, const std::v
     return colours;
 }
 
-void add_note(const std::vector<ObjBlock>& blocks, Note ObjBlock::*member, const char* text, std::vector<std::string>& notes)
+void add_note(const std::vector<ObjBlock>& blocks, Note ObjBlock::*member, const char* one, const char* many,
+              const char* text, std::vector<std::string>& notes)
 {
     Note sum;
     for (const ObjBlock& block : blocks) {
@@ -339,7 +341,8 @@ void add_note(const std::vector<ObjBlock>& blocks, Note ObjBlock::*member, const
             sum.count += note.count;
     }
     if (sum.count > 0)
-        notes.push_back(fmt::format("{} {} (the first, '{}', in line {})", sum.count, text, shown(sum.example), sum.line));
+        notes.push_back(fmt::format("{} {} ({}'{}' in line {})", counted(sum.count, one, many), text, sum.count > 1 ? "the first: " : "",
+                                    shown(sum.example), sum.line));
 }
 
 } // namespace
@@ -355,8 +358,8 @@ Mesh read_obj(FileBytes source, bool keep_polygons, std::vector<std::string>& no
     file.uvs.resize(file.totals.uvs);
     file.normals.resize(file.totals.normals);
     std::vector<ObjBlock> blocks = parse_blocks(lines, offsets, file);
-    add_note(blocks, &ObjBlock::small_faces, "faces with fewer than 3 corners dropped", notes);
-    add_note(blocks, &ObjBlock::unknown, "lines with an unknown keyword ignored", notes);
+    add_note(blocks, &ObjBlock::small_faces, "face", "faces", "with fewer than 3 corners dropped", notes);
+    add_note(blocks, &ObjBlock::unknown, "line", "lines", "with an unknown keyword ignored", notes);
 
     Mesh mesh;
     mesh.positions = std::move(file.positions);

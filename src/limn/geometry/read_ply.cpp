@@ -6,6 +6,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/geometry/counted.h"
 #include "limn/geometry/face_blocks.h"
 #include "limn/geometry/ply_header.h"
 #include "limn/geometry/readers.h"
@@ -424,14 +425,14 @@ Mesh read_ply(FileBytes source, bool keep_polygons, std::vector<std::string>& no
     if (!file.vertex || !file.face)
         throw Error::Read(fmt::format("{}: holds no {}", file.name, file.vertex ? "face" : "vertex"));
     if (file.vertex->count >= none)
-        throw Error::Read(fmt::format("{}: has {} vertices, more than 32-bit indices can name", file.name, file.vertex->count));
+        throw Error::Read(fmt::format("{}: the header claims {} vertices, more than 32-bit indices can name", file.name, file.vertex->count));
     const VertexLayout layout = vertex_layout(*file.vertex, file.name);
     file.indices = index_property(*file.face, file.name);
 
     const auto finish = [&](Vertices vertices, std::vector<FaceBlock> faces) {
         std::string().swap(source.bytes);
         if (file.small_faces > 0)
-            notes.push_back(fmt::format("{} faces with fewer than 3 corners dropped", file.small_faces.load()));
+            notes.push_back(counted(file.small_faces, "face", "faces") + " with fewer than 3 corners dropped");
         Mesh mesh;
         mesh.positions = std::move(vertices.positions);
         mesh.colours = std::move(vertices.colours);

@@ -83,20 +83,71 @@ bool is_ear(std::span<const dvec2> p, const Ring& ring, std::uint32_t b)
     return true;
 }
 
+/// The corners that may be ears: all at first, then the neighbours of each that is cut off, then all that are left.
+class Candidates {
+public:
+    explicit Candidates(std::size_t n) : queue_(n), is_cut_(n, 0) { std::iota(queue_.begin(), queue_.end(), 0u); }
+
+    void cut(const CornerTriple& ear)
+    {
+        is_cut_[ear[1]] = 1;
+        queue_.insert(queue_.end(), {ear[0], ear[2]});
+        progress_ = true;
+    }
+    /// @return `none` where none is left that has not been tried since the last cut
+    std::uint32_t next()
+    {
+        for (;;) {
+            if (at_ == queue_.size() && !refill())
+                return none;
+            const std::uint32_t corner = queue_[at_++];
+            if (!is_cut_[corner])
+                return corner;
+        }
+    }
+
+private:
+    bool refill()
+    {
+        queue_.clear();
+        at_ = 0;
+        for (std::uint32_t i = 0; progress_ && i < is_cut_.size(); ++i)
+            if (!is_cut_[i])
+                queue_.push_back(i);
+        progress_ = false;
+        return !queue_.empty();
+    }
+
+    std::vector<std::uint32_t> queue_;
+    std::vector<std::uint8_t> is_cut_;
+    std::size_t at_ = 0;
+    bool progress_ = false;
+};
+
 void clip_ears(std::span<const dvec2> p, std::span<CornerTriple> triangles)
 {
     Ring ring(p.size());
-    std::uint32_t corner = 1;
-    // Polygons that cross themselves run out of ears: past this number of trials the rest is cut as it comes.
-    std::size_t trials_left = 8 * p.size();
+    Candidates candidates(p.size());
+    std::size_t trials_left = 32 * p.size();
+    std::uint32_t corner = 0;
     for (CornerTriple& triangle : triangles) {
-        while (trials_left > 0 && !is_ear(p, ring, corner)) {
-            corner = ring.next[corner];
+        std::uint32_t ear = none;
+        while (ear == none && trials_left > 0) {
             --trials_left;
+            const std::uint32_t candidate = candidates.next();
+            if (candidate == none)
+                break;
+            if (is_ear(p, ring, candidate))
+                ear = candidate;
         }
-        triangle = {ring.previous[corner], corner, ring.next[corner]};
-        ring.remove(corner);
-        corner = ring.next[triangle[2]];
+        if (ear == none) { // the polygon crosses itself or is degenerate: the rest is cut as it comes
+            trials_left = 0;
+            ear = corner;
+        }
+        triangle = {ring.previous[ear], ear, ring.next[ear]};
+        ring.remove(ear);
+        candidates.cut(triangle);
+        corner = triangle[2];
     }
 }
 
