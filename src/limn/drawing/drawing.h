@@ -38,12 +38,20 @@ struct Region {
     std::vector<std::vector<dvec2>> rings;   ///< pixels
 };
 
+/// One line of text, centred over a point of its base line.
+struct Caption {
+    dvec2 position;  ///< pixels
+    double height;   ///< of capital letters, pixels
+    std::string text;
+};
+
 /// A line drawing: what every writer takes.
 struct Drawing {
     Camera camera;
     std::vector<Region> regions; ///< bottom first
     std::vector<Stroke> strokes; ///< sorted by type, then as found
     Image background;            ///< RGB, camera.size, or empty
+    std::vector<Caption> captions; ///< of a sheet
     double mm_per_pixel = 0;     ///< true scale on paper (--scale 1:N); 0: the page decides
 };
 

@@ -88,6 +88,15 @@ std::vector<LayerUse> used_layers(const Drawing& drawing)
     return layers;
 }
 
+void add_layer(Groups& dxf, std::string_view name, int colour, bool dashed)
+{
+    dxf.add(0, "LAYER");
+    dxf.add(2, name);
+    dxf.add(70, 0);
+    dxf.add(62, colour);
+    dxf.add(6, dashed ? "DASHED" : "CONTINUOUS");
+}
+
 void add_tables(Groups& dxf, const Drawing& drawing, const Style& style)
 {
     dxf.add(0, "SECTION");
@@ -101,14 +110,10 @@ void add_tables(Groups& dxf, const Drawing& drawing, const Style& style)
     const std::vector<LayerUse> layers = used_layers(drawing);
     dxf.add(0, "TABLE");
     dxf.add(2, "LAYER");
-    dxf.add(70, int(layers.size()));
-    for (const LayerUse& layer : layers) {
-        dxf.add(0, "LAYER");
-        dxf.add(2, layer_name(layer.type, layer.visible));
-        dxf.add(70, 0);
-        dxf.add(62, colours[std::size_t(layer.type)]);
-        dxf.add(6, !layer.visible && style.dash_mm > 0 ? "DASHED" : "CONTINUOUS");
-    }
+    dxf.add(70, int(layers.size()) + 1);
+    for (const LayerUse& layer : layers)
+        add_layer(dxf, layer_name(layer.type, layer.visible), colours[std::size_t(layer.type)], !layer.visible && style.dash_mm > 0);
+    add_layer(dxf, "CAPTIONS", 7, false);
     dxf.add(0, "ENDTAB");
     dxf.add(0, "ENDSEC");
 }
@@ -131,6 +136,20 @@ void add_polyline(Groups& dxf, const Stroke& stroke, const PageLayout& page)
     dxf.add(8, layer);
 }
 
+void add_caption(Groups& dxf, const Caption& caption, const PageLayout& page)
+{
+    const dvec2 on_page = page.on_page(caption.position), place = page.mm_per_unit * dvec2(on_page.x, page.height - on_page.y);
+    dxf.add(0, "TEXT");
+    dxf.add(8, "CAPTIONS");
+    dxf.point(place);
+    dxf.add(40, page.mm_per_unit * page.scale * caption.height);
+    dxf.add(1, caption.text);
+    dxf.add(72, 1); // centred about the second point
+    dxf.add(11, place.x);
+    dxf.add(21, place.y);
+    dxf.add(31, 0.0);
+}
+
 } // namespace
 
 std::string to_dxf(const Drawing& drawing, const Style& style)
@@ -144,6 +163,8 @@ std::string to_dxf(const Drawing& drawing, const Style& style)
     for (const Stroke& stroke : drawing.strokes)
         if (stroke.points.size() >= 2)
             add_polyline(dxf, stroke, page);
+    for (const Caption& caption : drawing.captions)
+        add_caption(dxf, caption, page);
     dxf.add(0, "ENDSEC");
     dxf.add(0, "EOF");
     return std::move(dxf.text);

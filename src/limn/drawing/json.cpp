@@ -65,6 +65,13 @@ void add_region(std::string& json, const Region& region)
     json += '}';
 }
 
+void add_caption(std::string& json, const Caption& caption)
+{
+    fmt::format_to(std::back_inserter(json), "{{\"text\":{},\"height\":{},\"position\":", text_literal(caption.text), caption.height);
+    add_pixel(json, caption.position);
+    json += '}';
+}
+
 } // namespace
 
 std::string to_json(const Drawing& drawing)
@@ -82,6 +89,10 @@ std::string to_json(const Drawing& drawing)
         json += '\n';
         add_region(json, region);
     });
+    if (!drawing.captions.empty()) {
+        json += ",\n\"captions\":";
+        add_array(json, drawing.captions, [&](const Caption& caption) { add_caption(json, caption); });
+    }
     return json + "}\n";
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/parallel.h"
+#include "limn/drawing/lettering.h"
 #include "limn/drawing/pen_order.h"
 #include "limn/drawing/stroke_marks.h"
 
@@ -75,6 +76,23 @@ Layer stroke_layer(const Drawing& drawing, LineType type, bool visible, const St
     return layer;
 }
 
+Layer caption_layer(const Drawing& drawing, const PageLayout& page)
+{
+    Layer layer;
+    layer.id = "captions";
+    layer.label = "Captions";
+    for (const Caption& caption : drawing.captions) {
+        layer.width = std::max(layer.width, 0.1 * page.scale * caption.height);
+        for (std::vector<dvec2>& line : letter(caption.text)) {
+            for (dvec2& p : line)
+                p = page.on_page(caption.position + caption.height * p);
+            Path path = {line[0], straight_spans(line, false)};
+            layer.marks.push_back({{std::move(path)}});
+        }
+    }
+    return layer;
+}
+
 } // namespace
 
 std::string_view line_type_label(LineType type) { return labels[std::size_t(type)]; }
@@ -90,6 +108,8 @@ Painting compose(const Drawing& drawing, const Style& style)
         for (int type = 0; type < line_type_count; ++type)
             if (Layer layer = stroke_layer(drawing, LineType(type), visible, style, painting.page); !layer.marks.empty())
                 painting.layers.push_back(std::move(layer));
+    if (Layer captions = caption_layer(drawing, painting.page); !captions.marks.empty())
+        painting.layers.push_back(std::move(captions));
     return painting;
 }
 

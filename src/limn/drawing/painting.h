@@ -41,8 +41,8 @@ struct Painting {
     std::vector<Layer> layers;
 };
 
-/// Turns a drawing into layers: fills, then hidden strokes, then visible ones, types in the order of LineType. Strokes
-/// of a layer are in pen order (pen_order.h). The drawing must outlive the result.
+/// Turns a drawing into layers: fills, then hidden strokes, then visible ones (types in the order of LineType), then
+/// captions. Strokes of a layer are in pen order (pen_order.h). The drawing must outlive the result.
 Painting compose(const Drawing& drawing, const Style& style = {});
 
 /// The visible title of a type: "Suggestive contours".
