@@ -51,6 +51,23 @@ TEST(InkPieces, DoNotShredALineOfNoisyInk)
     EXPECT_LE(split_by_ink(stroke.points, stroke.ink, false).pieces.size(), 5u);
 }
 
+TEST(InkPieces, AreNotShorterThanAskedWhereTheInkChangesFast)
+{
+    const Stroke fade = test::stroke_along(
+        LineType::suggestive, 101, [](double t) { return dvec2(100 * t, 0); }, [](double t) { return std::clamp(10 * t - 4, 0.0, 1.0); });
+    const InkLine line = split_by_ink(fade.points, fade.ink, false, 4); // all steps between 40 and 50 px
+    ASSERT_GE(line.pieces.size(), 3u);
+    for (std::size_t k = 0; k < line.pieces.size(); ++k) {
+        const InkPiece& piece = line.pieces[k];
+        EXPECT_GE(line.points[piece.last].x - line.points[piece.first].x, 2 - 1e-9);
+        if (k > 0) {
+            EXPECT_EQ(piece.first, line.pieces[k - 1].last);
+            EXPECT_GT(piece.step, line.pieces[k - 1].step);
+        }
+    }
+    EXPECT_EQ(line.pieces.back().step, 8);
+}
+
 TEST(InkPieces, KeepAClosedLineWholeOrOpenIt)
 {
     Stroke ring = test::closed_stroke(LineType::suggestive, 50, {0, 0}, {10, 10});

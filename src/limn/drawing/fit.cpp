@@ -225,7 +225,7 @@ private:
 
     CurveSpan span_to(std::size_t last) const
     {
-        constexpr double straight_within = 0.01; // px
+        constexpr double straight_within = 0.03; // px
         const auto& p = curve_.p;
         const bool straight = distance_to_piece(p[1], p[0], p[3]) < straight_within && distance_to_piece(p[2], p[0], p[3]) < straight_within;
         return {p[1], p[2], p[3], straight, std::uint32_t(last)};

@@ -38,13 +38,7 @@ public:
         add(point);
     }
 
-    void finish()
-    {
-        end_piece();
-        line.breaks.erase(std::remove_if(line.breaks.begin(), line.breaks.end(),
-                                         [&](std::uint32_t i) { return i == 0 || i + 1 == line.points.size(); }),
-                          line.breaks.end());
-    }
+    void finish() { end_piece(); }
 
     int step() const { return step_; }
     InkLine line;
@@ -61,8 +55,6 @@ private:
         add(point);
         end_piece();
         begin_ = std::uint32_t(line.points.size() - 1);
-        if (line.breaks.empty() || line.breaks.back() != begin_)
-            line.breaks.push_back(begin_);
     }
 
     void end_piece()
@@ -75,6 +67,52 @@ private:
     int step_;
     std::uint32_t begin_ = 0;
 };
+
+double length_of(const InkLine& line, const InkPiece& piece)
+{
+    double length = 0;
+    for (std::uint32_t i = piece.first; i < piece.last; ++i)
+        length += glm::length(line.points[i + 1] - line.points[i]);
+    return length;
+}
+
+/// Joins a piece that is too short with the ones that follow it without a gap.
+void join_short_pieces(InkLine& line, double shortest)
+{
+    std::vector<InkPiece> joined;
+    double length = 0, amount = 0; // of the last joined piece; amount: ink times length
+    const auto take = [&](const InkPiece& piece, double piece_length, double piece_amount) {
+        joined.back().last = piece.last;
+        length += piece_length;
+        amount += piece_amount;
+        joined.back().step = std::max(1, int(std::lround(amount / length)));
+    };
+    for (std::size_t k = 0; k < line.pieces.size(); ++k) {
+        const InkPiece& piece = line.pieces[k];
+        const bool is_last = k + 1 == line.pieces.size() || line.pieces[k + 1].first != piece.last;
+        const double piece_length = length_of(line, piece), piece_amount = piece.step * piece_length;
+        const bool follows = !joined.empty() && joined.back().last == piece.first;
+        // A long piece takes up its forerunner only where that is very short: it would lend it its own ink.
+        const bool too_short = length < (piece_length < shortest ? shortest : shortest / 2);
+        if (follows && (too_short || joined.back().step == piece.step || (is_last && piece_length < shortest / 2))) {
+            take(piece, piece_length, piece_amount);
+            continue;
+        }
+        joined.push_back(piece);
+        length = piece_length;
+        amount = piece_amount;
+    }
+    line.pieces = std::move(joined);
+}
+
+/// Breaks for the curve: where a piece begins or ends inside of the line.
+void set_breaks(InkLine& line)
+{
+    for (const InkPiece& piece : line.pieces)
+        for (const std::uint32_t i : {piece.first, piece.last})
+            if (i > 0 && i + 1 < line.points.size() && (line.breaks.empty() || line.breaks.back() < i))
+                line.breaks.push_back(i);
+}
 
 InkLine whole(std::span<const dvec2> points, bool closed, int step)
 {
@@ -94,7 +132,7 @@ bool is_even(std::span<const float> ink, int step)
 
 } // namespace
 
-InkLine split_by_ink(std::span<const dvec2> points, std::span<const float> ink, bool closed)
+InkLine split_by_ink(std::span<const dvec2> points, std::span<const float> ink, bool closed, double shortest)
 {
     if (points.empty() || ink.empty())
         return whole(points, closed, ink_steps);
@@ -111,6 +149,8 @@ InkLine split_by_ink(std::span<const dvec2> points, std::span<const float> ink, 
     for (std::size_t i = 1; i < n + (closed ? 1 : 0); ++i)
         cutter.go_to(points[(first + i) % n], ink_at(i - 1), ink_at(i));
     cutter.finish();
+    join_short_pieces(cutter.line, shortest);
+    set_breaks(cutter.line);
     return std::move(cutter.line);
 }
 

@@ -25,7 +25,9 @@ struct InkLine {
 };
 
 /// Splits a line by its ink, which runs linearly between points. The step follows the ink with a hysteresis of half a
-/// step, so that noise does not shred a line. Empty `ink` is full ink everywhere.
-InkLine split_by_ink(std::span<const dvec2> points, std::span<const float> ink, bool closed);
+/// step, so that noise does not shred a line, and where the ink changes fast, neighbours become one piece of their mean
+/// step of about `shortest`, at least half of it. Empty `ink` is full ink everywhere.
+/// @param shortest  unit of the points; only a run between two places without ink may be shorter than half of it
+InkLine split_by_ink(std::span<const dvec2> points, std::span<const float> ink, bool closed, double shortest = 0);
 
 } // namespace limn

@@ -92,7 +92,8 @@ std::vector<Mark> line_marks(const Stroke& stroke, bool reversed, const Style& s
         std::reverse(points.begin(), points.end());
         std::reverse(ink.begin(), ink.end());
     }
-    const InkLine line = split_by_ink(points, ink, stroke.closed);
+    constexpr double shortest_piece = 4; // px
+    const InkLine line = split_by_ink(points, ink, stroke.closed, shortest_piece);
     const std::vector<CurveSpan> spans = spans_through(line.points, line.closed, style, style.curve_tolerance, line.breaks);
     std::vector<Mark> marks;
     for (const InkPiece& piece : line.pieces) {

@@ -173,7 +173,7 @@ void add_layer(std::string& svg, const Layer& layer)
             data.add(path);
         svg += '"';
         if (mark.opacity < 1)
-            fmt::format_to(std::back_inserter(svg), " opacity=\"{}\"", number(mark.opacity, 3));
+            fmt::format_to(std::back_inserter(svg), " opacity=\"{}\"", number(mark.opacity, 2));
         svg += "/>\n";
     }
     svg += butt ? "</g>\n</g>\n" : "</g>\n";
