@@ -1,4 +1,5 @@
 #include <exception>
+#include <filesystem>
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/geometry/gltf_claims.h"
 #include "limn/geometry/readers.h"
 
 namespace limn {
@@ -23,6 +25,15 @@ std::string one_line(std::string text)
 {
     std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     return text;
+}
+
+/// Where a format has a signature it is checked here: Assimp would let every other reader it has try the bytes.
+void check_beginning(const FileBytes& file, const std::string& ending)
+{
+    constexpr std::pair<std::string_view, std::string_view> signatures[] = {{"3mf", "PK"}, {"3ds", "MM"}, {"dae", "<"}, {"x", "xof "}};
+    for (const auto& [format, signature] : signatures)
+        if (ending == format && !std::string_view(file.bytes).starts_with(signature))
+            throw Error::Read(fmt::format("{}: byte 0: does not begin as a file of format {}", file.name, ending));
 }
 
 /// Puts the meshes of a scene's nodes into one mesh, in the order of a depth-first walk.
@@ -96,6 +107,9 @@ bool is_known_to_assimp(const std::string& ending)
 
 Mesh read_with_assimp(FileBytes file, const std::string& ending)
 {
+    check_beginning(file, ending);
+    if (ending == "glb" || ending == "gltf")
+        check_gltf_claims(file.bytes, ending == "glb", file.name);
     Assimp::Importer importer;
     // Only shape is wanted: this keeps materials, textures, bones and animations from being read where it can.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_ANIMATIONS | aiComponent_BONEWEIGHTS | aiComponent_CAMERAS |
@@ -103,8 +117,11 @@ Mesh read_with_assimp(FileBytes file, const std::string& ending)
                                                             aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_NORMALS | aiComponent_COLORS);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     try {
-        const aiScene* scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(),
-                                                           aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent, ending.c_str());
+        constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent;
+        // A .gltf may keep its buffers in files beside it, which only its path finds.
+        const bool has_path = ending == "gltf" && std::filesystem::exists(file.name);
+        const aiScene* scene = has_path ? importer.ReadFile(file.name, steps)
+                                        : importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), steps, ending.c_str());
         if (!scene || !scene->mRootNode)
             throw Error::Read(fmt::format("{}: cannot be read as {}: {}", file.name, ending, one_line(importer.GetErrorString())));
         std::string().swap(file.bytes);
