@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
+#include "limn/drawing/sheet.h"
 #include "limn/drawing/style.h"
 #include "limn/drawing/write_drawing.h"
 #include "limn/lines/draw.h"
@@ -63,46 +63,14 @@ Drawing draw_view(const Stage& stage, const Camera& camera, DrawnView& view, Tim
     return drawing;
 }
 
-void paste(Image& sheet, const Image& picture, ivec2 corner)
-{
-    for (int y = 0; y < picture.height; ++y)
-        std::copy_n(picture.at(0, y), picture.width * picture.channels, sheet.at(corner.x, corner.y + y));
-}
-
-/// Puts a picture onto a sheet with its upper left corner at `corner`.
-void place(Drawing& sheet, Drawing&& picture, ivec2 corner)
-{
-    const dvec2 shift(corner);
-    for (Stroke& stroke : picture.strokes) {
-        for (dvec2& point : stroke.points)
-            point += shift;
-        sheet.strokes.push_back(std::move(stroke));
-    }
-    for (Region& region : picture.regions) {
-        for (std::vector<dvec2>& ring : region.rings)
-            for (dvec2& point : ring)
-                point += shift;
-        sheet.regions.push_back(std::move(region));
-    }
-    paste(sheet.background, picture.background, corner);
-}
-
 Drawing draw_sheet(const Stage& stage, const Sheet& sheet, std::vector<DrawnView>& views, Times& times, Console& console)
 {
-    Drawing drawing;
-    if (sheet.cameras.size() > 1 && stage.command.shade != Shade::none)
-        drawing.background = Image(sheet.size, 3, 1.0f);
+    std::vector<Drawing> pictures;
     for (std::size_t i = 0; i < sheet.cameras.size(); ++i) {
         console.progress(fmt::format("view {} of {}", i + 1, sheet.cameras.size()), 0.3 + 0.7 * double(i) / double(sheet.cameras.size()));
-        Drawing picture = draw_view(stage, sheet.cameras[i], views.emplace_back(), times);
-        if (sheet.cameras.size() == 1)
-            drawing = std::move(picture);
-        else
-            place(drawing, std::move(picture), sheet.corners[i]);
+        pictures.push_back(draw_view(stage, sheet.cameras[i], views.emplace_back(), times));
     }
-    std::stable_sort(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
-    drawing.camera = sheet.cameras.front();
-    drawing.camera.size = sheet.size;
+    Drawing drawing = lay_on_sheet(std::move(pictures), sheet.corners, sheet.size);
     drawing.mm_per_pixel = sheet.mm_per_pixel;
     return drawing;
 }
