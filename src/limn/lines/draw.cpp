@@ -9,6 +9,7 @@
 #include "limn/lines/contour.h"
 #include "limn/lines/inside.h"
 #include "limn/lines/mesh_contour.h"
+#include "limn/lines/outline.h"
 #include "limn/lines/strokes.h"
 #include "limn/lines/visibility.h"
 
@@ -154,6 +155,12 @@ Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const Li
         measured.visibility_seconds += watch.lap();
         add_strokes(lines, line_chains, decided);
     }
+    if (options.has(LineType::outline))
+        for (Stroke& stroke : extract_outline(model, rays, camera)) {
+            measured.types[std::size_t(LineType::outline)].segments += stroke.points.size();
+            count(measured, stroke);
+            drawing.strokes.push_back(std::move(stroke));
+        }
     std::stable_sort(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
     measured.chain_seconds += watch.lap();
     return drawing;
