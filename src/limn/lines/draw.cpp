@@ -10,6 +10,7 @@
 #include "limn/lines/inside.h"
 #include "limn/lines/mesh_contour.h"
 #include "limn/lines/outline.h"
+#include "limn/lines/short_chains.h"
 #include "limn/lines/strokes.h"
 #include "limn/lines/visibility.h"
 
@@ -67,13 +68,18 @@ std::vector<TypedLines> extract_other_lines(const LineModel& model, const View& 
     std::vector<std::uint8_t> codes;
     if (options.has(LineType::suggestive) || options.has(LineType::highlight))
         codes = view_codes(model, view);
-    add(LineType::highlight, VisibilityRule::surface,
-        [&] { return extract_suggestive(model, view, codes, suggestive_options(options, features, true), &features.suggestive); });
+    const auto suggestive = [&](bool highlight) {
+        const SuggestiveOptions wanted = suggestive_options(options, features, highlight);
+        std::vector<Segment> segments = extract_suggestive(model, view, codes, wanted, &features.suggestive);
+        if (wanted.limit > 0) // a line shorter than a feature is speckle
+            drop_short_chains(segments, double(features.feature_size));
+        return segments;
+    };
+    add(LineType::highlight, VisibilityRule::surface, [&] { return suggestive(true); });
     add(LineType::valley, VisibilityRule::surface, [&] { return features.valleys; });
     add(LineType::ridge, VisibilityRule::surface, [&] { return features.ridges; });
     add(LineType::apparent, VisibilityRule::surface, [&] { return extract_apparent_ridges(model, view, apparent_options(options, features)); });
-    add(LineType::suggestive, VisibilityRule::surface,
-        [&] { return extract_suggestive(model, view, codes, suggestive_options(options, features, false), &features.suggestive); });
+    add(LineType::suggestive, VisibilityRule::surface, [&] { return suggestive(false); });
     add(LineType::crease, VisibilityRule::edge, [&] { return features.creases; });
     add(LineType::border, VisibilityRule::edge, [&] { return features.borders; });
     add(LineType::mesh_contour, VisibilityRule::edge, [&] { return extract_mesh_contours(model, view); });

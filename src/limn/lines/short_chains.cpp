@@ -12,8 +12,10 @@ void drop_short_chains(std::vector<Segment>& segments, double min_length)
     std::vector<std::uint8_t> keep(segments.size(), 0);
     for (std::size_t c = 0; c < chains.size(); ++c) {
         double length = 0;
-        for (const Link& link : chains[c])
-            length += double(glm::distance(segments[link.segment].a, segments[link.segment].b));
+        for (const Link& link : chains[c]) {
+            const Segment& s = segments[link.segment];
+            length += 0.5 * double(s.ink_a + s.ink_b) * double(glm::distance(s.a, s.b));
+        }
         for (const Link& link : chains[c])
             keep[link.segment] = length >= min_length;
     }
