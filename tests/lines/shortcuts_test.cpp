@@ -118,7 +118,7 @@ TEST(Shortcuts, AccountForEveryFace)
                              percent(sign.tested, sign.faces), percent(both_sides.drawn, sign.faces), percent(sign.drawn, sign.faces),
                              percent(sign.one_sign, sign.tested), percent(cull.turned_away, cull.tested));
     }
-    std::printf("%s", table.c_str());
+    RecordProperty("tables 4.3 and 4.4", table);
 }
 
 // Checklist 17: both orders of the tests, timed.
@@ -140,7 +140,7 @@ TEST(Shortcuts, BothOrdersOfTheTestsFindTheSame)
         }
         ASSERT_TRUE(std::equal(found[0].begin(), found[0].end(), found[1].begin(), found[1].end(), same));
     }
-    std::printf("sign first %.2f ms, facing first %.2f ms per view\n", 50 * seconds[1], 50 * seconds[0]);
+    RecordProperty("ms per view", fmt::format("sign first {:.2f}, facing first {:.2f}", 50 * seconds[1], 50 * seconds[0]));
 }
 
 TEST(Shortcuts, KeepCoarseFacesThatJoinConvexAndConcaveVertices)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/lines/contour.h"
+#include "limn/surface/estimate.h"
 #include "lines/analytic.h"
 
 namespace limn {
@@ -62,6 +63,29 @@ TEST(Suggestive, ConvergesToTheLoopsOfTheTorus)
         const LoopError error = loop_error(torus, torus_model(torus, 2304u << (2 * level)), unlimited(), 20);
         EXPECT_LE(error.rms, bounds[level]) << "level " << level;
         EXPECT_LE(error.false_part, 0.002) << "level " << level;
+    }
+}
+
+/// The jittered torus with an estimated surface.
+LineModel estimated_torus(std::size_t triangles, const EstimateOptions& options)
+{
+    Shape shape = make_shape({.name = "torus", .triangles = triangles, .jitter = 0.2, .float_positions = false});
+    shape.exact = estimate_surface(shape.mesh, options);
+    return model_of(shape);
+}
+
+// Checklist 9: per-face tensors call lines on an irregular mesh wrongly, more so the finer it is; jets do not, and their
+// total length is right.
+TEST(Suggestive, JetsHoldTheLinesOfAnIrregularTorus)
+{
+    const Torus torus;
+    const double exact = loop_error(torus, torus_model(torus, 147456), unlimited(), 10).length;
+    for (const std::size_t triangles : {9216, 36864}) {
+        const LoopError jets = loop_error(torus, estimated_torus(triangles, {}), unlimited(), 10);
+        const LoopError tensor = loop_error(torus, estimated_torus(triangles, {.method = CurvatureMethod::tensor}), unlimited(), 10);
+        EXPECT_LE(jets.false_part, 0.02);
+        EXPECT_NEAR(jets.length, exact, 0.05 * exact);
+        EXPECT_GT(tensor.false_part, jets.false_part);
     }
 }
 
@@ -182,8 +206,8 @@ TEST(Suggestive, ContinuesWhereContoursEnd)
     for (const std::size_t triangles : {2304, 9216, 36864}) {
         const LineModel model = torus_model(torus, triangles);
         std::mt19937 random(21);
-        double worst = 0;
-        std::size_t count = 0;
+        double squares = 0;
+        int count = 0;
         for (int i = 0; i < 20; ++i) {
             const dvec3 eye = 4.0 * random_direction(random);
             const auto segments = extract_suggestive(model, perspective_view(model, eye), unlimited());
@@ -191,15 +215,16 @@ TEST(Suggestive, ContinuesWhereContoursEnd)
                 double nearest = 10;
                 for (const Segment& s : segments)
                     nearest = std::min({nearest, glm::distance(end, model.to_world(s.a)), glm::distance(end, model.to_world(s.b))});
-                worst = std::max(worst, nearest);
+                squares += nearest * nearest;
                 ++count;
             }
         }
-        EXPECT_GT(count, 10u);
-        EXPECT_LT(worst, 0.7 * last) << triangles;
-        last = worst;
+        ASSERT_GT(count, 10);
+        const double rms = std::sqrt(squares / count);
+        EXPECT_LT(rms, 0.75 * last) << triangles << " triangles";
+        last = rms;
     }
-    EXPECT_LT(last, 0.03);
+    EXPECT_LT(last, 0.01);
 }
 
 // Checklist 15: seen from infinity, contours on front faces are highlights on back faces of the opposite view, and the lengths of
@@ -266,9 +291,9 @@ TEST(Suggestive, MostOfTheTorusesLinesAreHidden)
 {
     const double r[3] = {0.2, 0.4, 0.8}, ratio[3] = {10.1, 5.3, 3.4}, length[3] = {0.51, 0.87, 1.52};
     for (int i = 0; i < 3; ++i) {
-        const auto [front, back] = front_and_back(r[i], 400, 9216);
+        const auto [front, back] = front_and_back(r[i], 400, 36864);
         EXPECT_NEAR(back / front, ratio[i], 0.1 * ratio[i]) << "r/R = " << r[i];
-        EXPECT_NEAR(front, length[i], 0.05 * length[i]) << "r/R = " << r[i];
+        EXPECT_NEAR(front, length[i], 0.1 * length[i]) << "r/R = " << r[i];
     }
 }
 

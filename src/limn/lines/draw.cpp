@@ -71,8 +71,8 @@ std::vector<TypedLines> extract_other_lines(const LineModel& model, const View& 
     const auto suggestive = [&](bool highlight) {
         const SuggestiveOptions wanted = suggestive_options(options, features, highlight);
         std::vector<Segment> segments = extract_suggestive(model, view, codes, wanted, &features.suggestive);
-        if (wanted.limit > 0) // a line shorter than a feature is speckle
-            drop_short_chains(segments, double(features.feature_size));
+        if (wanted.limit > 0) // a line that is not longer than a feature is speckle
+            (wanted.fade > 0 ? fade_short_chains : drop_short_chains)(segments, 0.75 * double(features.feature_size));
         return segments;
     };
     add(LineType::highlight, VisibilityRule::surface, [&] { return suggestive(true); });
