@@ -11,5 +11,7 @@ struct Subcommand {
 };
 
 Subcommand add_draw(CLI::App& limn);
-Subcommand add_info(CLI::App& limn);
+
 Subcommand add_sample(CLI::App& limn);
+
+Subcommand add_bench(CLI::App& limn);

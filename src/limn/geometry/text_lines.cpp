@@ -80,14 +80,9 @@ bool LineWalker::next()
     return true;
 }
 
-bool Fields::at_blank() const
-{
-    return is_blank(*at_) || (*at_ == '\\' && at_ + 1 < end_ && (at_[1] == '\n' || at_[1] == '\r'));
-}
-
 void Fields::skip_blanks()
 {
-    while (at_ < end_ && at_blank())
+    while (at_ < end_ && (is_blank(*at_) || (*at_ == '\\' && at_ + 1 < end_ && (at_[1] == '\n' || at_[1] == '\r'))))
         ++at_;
 }
 
@@ -95,7 +90,7 @@ std::string_view Fields::next()
 {
     skip_blanks();
     const char* const begin = at_;
-    while (at_ < end_ && !at_blank())
+    while (at_ < end_ && !is_blank(*at_))
         ++at_;
     return {begin, std::size_t(at_ - begin)};
 }

@@ -18,19 +18,21 @@ struct CreasePlace {
 };
 
 /// Appends the parts of the crease between half-edge h and its welded twin g where one side faces the eye and the other does not.
-void add_crease_outline(const LineModel& model, std::span<const float> facing, std::uint32_t h, std::vector<Segment>& out)
+/// @param facing_of  n.v of a vertex
+template <class F> void add_crease_outline(const LineModel& model, F&& facing_of, std::uint32_t h, std::vector<Segment>& out)
 {
     const std::uint32_t g = model.welded_adjacency.twin[h];
     const auto corner = [&](std::uint32_t half_edge) { return model.faces[half_edge / 3][int(half_edge % 3)]; };
     const std::uint32_t i = corner(h), j = corner(next_half_edge(h));             // the side of h, from its start to its end
     const std::uint32_t other_i = corner(next_half_edge(g)), other_j = corner(g); // the side of g, likewise
     const auto zero_place = [&](std::uint32_t from, std::uint32_t to, std::uint32_t id) {
-        const EdgeZero zero = edge_zero(from, to, facing[from], facing[to]);
+        const EdgeZero zero = edge_zero(from, to, facing_of(from), facing_of(to));
         return CreasePlace{zero.from == from ? zero.t : 1 - zero.t, zero.mix(model.positions[zero.from], model.positions[zero.to]), id};
     };
     CreasePlace places[4] = {{0, model.positions[i], model.vertex_node(i)}};
     int count = 1;
-    const bool own_turns = (facing[i] < 0) != (facing[j] < 0), other_turns = (facing[other_i] < 0) != (facing[other_j] < 0);
+    bool back = facing_of(i) < 0, other_back = facing_of(other_i) < 0;
+    const bool own_turns = back != (facing_of(j) < 0), other_turns = other_back != (facing_of(other_j) < 0);
     if (own_turns)
         places[count++] = zero_place(i, j, h);
     if (other_turns)
@@ -39,7 +41,6 @@ void add_crease_outline(const LineModel& model, std::span<const float> facing, s
         std::swap(places[1], places[2]);
     places[count++] = {1, model.positions[j], model.vertex_node(j)};
 
-    bool back = facing[i] < 0, other_back = facing[other_i] < 0;
     for (int k = 0; k + 1 < count; ++k) {
         back ^= places[k].id == h;
         other_back ^= places[k].id == g;
@@ -57,7 +58,7 @@ void add_crease_outline(const LineModel& model, std::span<const float> facing, s
 std::vector<float> facing_of_vertices(const LineModel& model, const View& view)
 {
     std::vector<float> facing(model.vertex_count());
-    parallel_each(facing.size(), vertex_grain, [&](std::size_t i) { facing[i] = glm::dot(model.normals[i], view.to_eye(model.positions[i])); });
+    parallel_each(facing.size(), vertex_grain, [&](std::size_t i) { facing[i] = facing_at(model, view, std::uint32_t(i)); });
     return facing;
 }
 
@@ -73,8 +74,14 @@ std::vector<Segment> extract_contours(const LineModel& model, std::span<const fl
         }
     });
     for (const std::uint32_t h : model.split_edges)
-        add_crease_outline(model, facing, h, segments);
+        add_crease_outline(model, [&](std::uint32_t v) { return facing[v]; }, h, segments);
     return segments;
+}
+
+void append_crease_outlines(const LineModel& model, const View& view, std::vector<Segment>& segments)
+{
+    for (const std::uint32_t h : model.split_edges)
+        add_crease_outline(model, [&](std::uint32_t v) { return facing_at(model, view, v); }, h, segments);
 }
 
 } // namespace limn

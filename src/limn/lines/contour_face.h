@@ -6,28 +6,41 @@
 
 namespace limn {
 
-/// The contour in one face from n.v at its three corners, directed as extract_contours says.
-/// @return false where the corners have one sign
-inline bool contour_in_face(const LineModel& model, std::uint32_t face, const float (&facing)[3], Segment& segment)
+/// The contour in a face whose corners differ in the sign of n.v, directed as extract_contours says. Every way of extracting
+/// contours goes through here, so that all give the same bits.
+/// @param vertices   numbers that order the ends of edges as the model's vertex numbers do
+/// @param positions, facing  of the three corners
+inline Segment contour_in_face(const std::uint32_t (&vertices)[3], const vec3 (&positions)[3], const float (&facing)[3], const Adjacency& adjacency,
+                               std::uint32_t face)
 {
-    const bool s[3] = {facing[0] < 0, facing[1] < 0, facing[2] < 0};
-    if (s[0] == s[1] && s[1] == s[2])
-        return false;
-    const uvec3& t = model.faces[face];
+    const bool back[3] = {facing[0] < 0, facing[1] < 0, facing[2] < 0};
     // The two mixed edges run from and to the odd corner k. An odd back corner is entered by the edge that leaves it.
-    const int k = odd_corner(s[0], s[1], s[2]);
+    const int k = odd_corner(back[0], back[1], back[2]);
     const int leaving = k, arriving = (k + 2) % 3; // half-edges k -> k+1 and k+2 -> k
-    const int enter = s[k] ? leaving : arriving, exit = s[k] ? arriving : leaving;
-    const auto end_on = [&](int edge) {
-        const int next = (edge + 1) % 3;
-        const EdgeZero zero = edge_zero(t[edge], t[next], facing[edge], facing[next]);
-        return zero.mix(model.positions[zero.from], model.positions[zero.to]);
+    const int enter = back[k] ? leaving : arriving, exit = back[k] ? arriving : leaving;
+    const auto end_on = [&](int i) {
+        const int j = (i + 1) % 3;
+        const EdgeZero zero = edge_zero(vertices[i], vertices[j], facing[i], facing[j]);
+        return zero.from == vertices[i] ? zero.mix(positions[i], positions[j]) : zero.mix(positions[j], positions[i]);
     };
+    Segment segment;
     segment.a = end_on(enter);
     segment.b = end_on(exit);
     segment.face = face;
-    segment.edge_a = model.adjacency.edge_id(3 * face + std::uint32_t(enter));
-    segment.edge_b = model.adjacency.edge_id(3 * face + std::uint32_t(exit));
+    segment.edge_a = adjacency.edge_id(3 * face + std::uint32_t(enter));
+    segment.edge_b = adjacency.edge_id(3 * face + std::uint32_t(exit));
+    return segment;
+}
+
+/// The same for a face of a model from n.v at its three corners.
+/// @return false where the corners have one sign
+inline bool contour_in_face(const LineModel& model, std::uint32_t face, const float (&facing)[3], Segment& segment)
+{
+    if ((facing[0] < 0) == (facing[1] < 0) && (facing[1] < 0) == (facing[2] < 0))
+        return false;
+    const uvec3& t = model.faces[face];
+    const vec3 positions[3] = {model.positions[t.x], model.positions[t.y], model.positions[t.z]};
+    segment = contour_in_face({t.x, t.y, t.z}, positions, facing, model.adjacency, face);
     return true;
 }
 

@@ -6,11 +6,10 @@
 
 #include "limn/lines/apparent.h"
 #include "limn/lines/clip.h"
+#include "limn/lines/cluster_extract.h"
 #include "limn/lines/contour.h"
 #include "limn/lines/inside.h"
 #include "limn/lines/mesh_contour.h"
-#include "limn/lines/outline.h"
-#include "limn/lines/short_chains.h"
 #include "limn/lines/strokes.h"
 #include "limn/lines/visibility.h"
 
@@ -57,29 +56,44 @@ ApparentOptions apparent_options(const LineOptions& options, const LineFeatures&
     return result;
 }
 
-/// Everything but contours, which are always found, since they hide the others.
-std::vector<TypedLines> extract_other_lines(const LineModel& model, const View& view, const LineFeatures& features, const LineOptions& options)
+/// The lines that depend on the view and are found face by face. Contours are always among them, since they hide the others.
+ClusterLines extract_view_lines(const LineModel& model, const View& view, std::span<const float> facing, const LineFeatures& features,
+                                const LineOptions& options, ClusterHistory* history)
+{
+    const bool contours_only = !options.has(LineType::suggestive) && !options.has(LineType::highlight);
+    const SuggestiveOptions suggestive = suggestive_options(options, features, false), highlights = suggestive_options(options, features, true);
+    if (features.clusters) {
+        ClusterRequest request;
+        request.suggestive = options.has(LineType::suggestive) ? &suggestive : nullptr;
+        request.highlights = options.has(LineType::highlight) ? &highlights : nullptr;
+        return extract_from_clusters(model, *features.clusters, view, request, history);
+    }
+    ClusterLines lines;
+    lines.contours = extract_contours(model, facing);
+    if (contours_only)
+        return lines;
+    const std::vector<std::uint8_t> codes = view_codes(model, view);
+    if (options.has(LineType::suggestive))
+        lines.suggestive = extract_suggestive(model, view, codes, suggestive, &features.suggestive);
+    if (options.has(LineType::highlight))
+        lines.highlights = extract_suggestive(model, view, codes, highlights, &features.suggestive);
+    return lines;
+}
+
+/// Everything but contours.
+std::vector<TypedLines> collect_other_lines(const LineModel& model, const View& view, const LineFeatures& features, const LineOptions& options,
+                                            ClusterLines& found)
 {
     std::vector<TypedLines> lines;
     const auto add = [&](LineType type, VisibilityRule rule, auto&& extract) {
         if (options.has(type))
             lines.push_back({type, rule, extract()});
     };
-    std::vector<std::uint8_t> codes;
-    if (options.has(LineType::suggestive) || options.has(LineType::highlight))
-        codes = view_codes(model, view);
-    const auto suggestive = [&](bool highlight) {
-        const SuggestiveOptions wanted = suggestive_options(options, features, highlight);
-        std::vector<Segment> segments = extract_suggestive(model, view, codes, wanted, &features.suggestive);
-        if (wanted.limit > 0) // a line that is not longer than a feature is speckle
-            (wanted.fade > 0 ? fade_short_chains : drop_short_chains)(segments, 0.75 * double(features.feature_size));
-        return segments;
-    };
-    add(LineType::highlight, VisibilityRule::surface, [&] { return suggestive(true); });
+    add(LineType::highlight, VisibilityRule::surface, [&] { return std::move(found.highlights); });
     add(LineType::valley, VisibilityRule::surface, [&] { return features.valleys; });
     add(LineType::ridge, VisibilityRule::surface, [&] { return features.ridges; });
     add(LineType::apparent, VisibilityRule::surface, [&] { return extract_apparent_ridges(model, view, apparent_options(options, features)); });
-    add(LineType::suggestive, VisibilityRule::surface, [&] { return suggestive(false); });
+    add(LineType::suggestive, VisibilityRule::surface, [&] { return std::move(found.suggestive); });
     add(LineType::crease, VisibilityRule::edge, [&] { return features.creases; });
     add(LineType::border, VisibilityRule::edge, [&] { return features.borders; });
     add(LineType::mesh_contour, VisibilityRule::edge, [&] { return extract_mesh_contours(model, view); });
@@ -111,7 +125,7 @@ void count(DrawReport& report, const Stroke& stroke)
 
 /// Draws the lines of a model whose closed components all have the eye outside.
 Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
-                          const LineOptions& options, DrawReport* report)
+                          const LineOptions& options, DrawReport* report, ClusterHistory* history)
 {
     DrawReport unread;
     DrawReport& measured = report ? *report : unread;
@@ -121,8 +135,9 @@ Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const Li
     const Projector projector(model, camera);
     const std::vector<float> facing = facing_of_vertices(model, view);
     const ViewContext context = {model, rays, view, projector, facing};
-    TypedLines contours = {LineType::contour, VisibilityRule::contour, extract_contours(model, facing)};
-    std::vector<TypedLines> others = extract_other_lines(model, view, features, options);
+    ClusterLines found = extract_view_lines(model, view, facing, features, options, history);
+    TypedLines contours = {LineType::contour, VisibilityRule::contour, std::move(found.contours)};
+    std::vector<TypedLines> others = collect_other_lines(model, view, features, options, found);
     measured.extract_seconds = watch.lap();
 
     Drawing drawing;
@@ -161,12 +176,6 @@ Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const Li
         measured.visibility_seconds += watch.lap();
         add_strokes(lines, line_chains, decided);
     }
-    if (options.has(LineType::outline))
-        for (Stroke& stroke : extract_outline(model, rays, camera)) {
-            measured.types[std::size_t(LineType::outline)].segments += stroke.points.size();
-            count(measured, stroke);
-            drawing.strokes.push_back(std::move(stroke));
-        }
     std::stable_sort(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
     measured.chain_seconds += watch.lap();
     return drawing;
@@ -181,18 +190,18 @@ RayScene build_ray_scene(const LineModel& model)
 }
 
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
-                   const LineOptions& options, DrawReport* report)
+                   const LineOptions& options, DrawReport* report, ClusterHistory* history)
 {
     const View view = model.view(camera);
     if (const std::vector<std::uint32_t> around = components_around(model, rays, view); !around.empty()) {
         const LineModel inside = turned_inside_out(model, around);
         const RayScene inside_rays = build_ray_scene(inside);
-        Drawing drawing = draw_from_outside(inside, inside_rays, find_line_features(inside, options), camera, options, report);
+        Drawing drawing = draw_from_outside(inside, inside_rays, find_line_features(inside, options), camera, options, report, nullptr);
         if (report)
             report->camera_inside = true;
         return drawing;
     }
-    return draw_from_outside(model, rays, features, camera, options, report);
+    return draw_from_outside(model, rays, features, camera, options, report, history);
 }
 
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const Camera& camera, const LineOptions& options, DrawReport* report)

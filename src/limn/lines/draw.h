@@ -4,6 +4,7 @@
 #include <span>
 
 #include "limn/drawing/drawing.h"
+#include "limn/lines/cluster_extract.h"
 #include "limn/lines/features.h"
 #include "limn/lines/line_model.h"
 #include "limn/lines/options.h"
@@ -24,8 +25,10 @@ struct DrawReport {
 
 /// Draws the lines of a model from one camera: extract, chain, cut, test visibility, decide, simplify.
 /// @param features  find_line_features(model, options), found once for many views
+/// @param history   of earlier views of the same model, or null: where the features hold clusters it decides how they are used. The
+///                  drawing does not depend on it.
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
-                   const LineOptions& options, DrawReport* report = nullptr);
+                   const LineOptions& options, DrawReport* report = nullptr, ClusterHistory* history = nullptr);
 /// The same for a single view.
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const Camera& camera, const LineOptions& options, DrawReport* report = nullptr);
 

@@ -30,7 +30,7 @@ std::vector<Segment> as_nodes(const LineModel& model, std::vector<Segment> segme
 
 } // namespace
 
-LineFeatures find_line_features(const LineModel& model, const LineOptions& options)
+LineFeatures find_line_features(const LineModel& model, const LineOptions& options, int views)
 {
     LineFeatures features;
     features.feature_size = model_feature_size(model, options.feature_size);
@@ -49,6 +49,8 @@ LineFeatures find_line_features(const LineModel& model, const LineOptions& optio
         throw Error::Input("suggestive contours and highlights need the derivative of curvature, which this surface has not");
     if (wants_suggestive(options))
         features.suggestive = find_suggestive_faces(model);
+    if (views >= views_worth_clusters)
+        features.clusters = build_clusters(model);
     return features;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "limn/lines/clusters.h"
 #include "limn/lines/crease.h"
 #include "limn/lines/line_model.h"
 #include "limn/lines/options.h"
@@ -16,9 +18,14 @@ struct LineFeatures {
     std::vector<Segment> borders;
     std::vector<Segment> ridges, valleys;
     SuggestiveFaces suggestive;        ///< empty unless suggestive contours or highlights are drawn
+    std::optional<LineClusters> clusters; ///< where many views are drawn: the same lines sooner
 };
 
+/// Views from which on clusters pay for their building.
+inline constexpr int views_worth_clusters = 50;
+
+/// @param views  how many will be drawn; from `views_worth_clusters` on clusters are built
 /// @throws Error::Input when a line type needs curvature or its derivative and the model has none.
-LineFeatures find_line_features(const LineModel& model, const LineOptions& options);
+LineFeatures find_line_features(const LineModel& model, const LineOptions& options, int views = 1);
 
 } // namespace limn

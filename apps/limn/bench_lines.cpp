@@ -1,0 +1,254 @@
+#include "bench_lines.h"
+
+#include <filesystem>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include "bench_table.h"
+#include "limn/base/random.h"
+#include "limn/drawing/write_drawing.h"
+#include "limn/geometry/read_mesh.h"
+#include "limn/geometry/write_mesh.h"
+#include "limn/lines/cluster_extract.h"
+#include "limn/lines/contour.h"
+#include "limn/lines/draw.h"
+#include "limn/lines/prepare.h"
+#include "limn/surface/shapes.h"
+
+using namespace limn;
+
+namespace {
+
+/// A generated model with all that its views need.
+struct Subject {
+    std::string name;
+    Bounds bounds;
+    LineModel model;
+    double surface_seconds = 0, cluster_seconds = 0;
+    LineFeatures features, with_clusters;
+    const LineClusters& clusters() const { return *with_clusters.clusters; }
+};
+
+Subject make_subject(const std::string& name, std::size_t triangles)
+{
+    ShapeOptions options;
+    options.name = name;
+    options.triangles = triangles;
+    options.float_positions = false;
+    const Mesh mesh = make_shape(options).mesh;
+    Subject subject;
+    subject.name = name;
+    subject.bounds = mesh.bounds();
+    Stopwatch watch;
+    const Surface surface = estimate_surface(mesh);
+    subject.surface_seconds = watch.lap();
+    const PlacedSurface placed = {&mesh, &surface};
+    subject.model = build_line_model({&placed, 1});
+    subject.features = find_line_features(subject.model, {});
+    subject.with_clusters = subject.features;
+    watch.lap();
+    subject.with_clusters.clusters = build_clusters(subject.model);
+    subject.cluster_seconds = watch.lap();
+    return subject;
+}
+
+/// Views from everywhere, at distances at which the whole model is seen.
+std::vector<View> random_views(int count)
+{
+    std::vector<View> views;
+    for (int i = 0; i < count; ++i) {
+        Random random(2027, std::uint64_t(i));
+        const dvec3 direction = glm::normalize(dvec3(random.normal(), random.normal(), random.normal()));
+        views.push_back({false, vec3(direction * random.uniform(2.1, 3.9))});
+    }
+    return views;
+}
+
+double milliseconds(Stopwatch& watch) { return 1e3 * watch.lap(); }
+
+/// Median milliseconds of one view's contours and suggestive contours.
+struct ExtractionTimes {
+    double flat = 0, clustered = 0, bounded = 0, automatic = 0;
+    double segments = 0, survivors = 0;
+};
+
+ExtractionTimes time_extraction(const Subject& s, int count)
+{
+    SuggestiveOptions options;
+    options.feature_size = s.features.feature_size;
+    ClusterRequest request;
+    request.suggestive = &options;
+    std::vector<double> flat, clustered, bounded, automatic, segments, survivors;
+    ClusterHistory automatic_history;
+    for (const View& view : random_views(count)) {
+        Stopwatch watch;
+        const std::vector<Segment> contours = extract_contours(s.model, facing_of_vertices(s.model, view));
+        const std::vector<Segment> suggestive = extract_suggestive(s.model, view, view_codes(s.model, view), options, &s.features.suggestive);
+        flat.push_back(milliseconds(watch));
+        segments.push_back(double(contours.size() + suggestive.size()));
+        const auto time_use = [&](ClusterUse use, ClusterHistory& history, std::vector<double>& times) {
+            request.use = use;
+            watch.lap();
+            extract_from_clusters(s.model, s.clusters(), view, request, &history);
+            times.push_back(milliseconds(watch));
+        };
+        ClusterHistory history;
+        time_use(ClusterUse::all, history, clustered);
+        time_use(ClusterUse::bounded, history, bounded);
+        survivors.push_back(history.survivors);
+        time_use(ClusterUse::automatic, automatic_history, automatic);
+    }
+    return {median(flat), median(clustered), median(bounded), median(automatic), median(segments), median(survivors)};
+}
+
+/// Median milliseconds of the stages of whole views.
+struct ViewTimes {
+    double extract = 0, visibility = 0, chain = 0, total = 0, total_flat = 0, strokes = 0;
+};
+
+ViewTimes time_views(const Subject& s, int count)
+{
+    LineOptions options;
+    options.lines = {LineType::contour, LineType::suggestive};
+    const RayScene rays = build_ray_scene(s.model);
+    std::vector<double> extract, visibility, chain, total, total_flat, strokes;
+    ClusterHistory history;
+    for (int i = 0; i < count; ++i) {
+        Framing framing;
+        framing.view = fmt::format("{},{}", (37 * i) % 360, (23 * i) % 120 - 60);
+        const Camera camera = Camera::framing(s.bounds, framing);
+        Stopwatch watch;
+        draw_lines(s.model, rays, s.features, camera, options);
+        total_flat.push_back(milliseconds(watch));
+        DrawReport report;
+        watch.lap();
+        const Drawing drawing = draw_lines(s.model, rays, s.with_clusters, camera, options, &report, &history);
+        total.push_back(milliseconds(watch));
+        extract.push_back(1e3 * report.extract_seconds);
+        visibility.push_back(1e3 * report.visibility_seconds);
+        chain.push_back(1e3 * report.chain_seconds);
+        strokes.push_back(double(drawing.strokes.size()));
+    }
+    return {median(extract), median(visibility), median(chain), median(total), median(total_flat), median(strokes)};
+}
+
+/// Seconds from a binary PLY to an SVG, by stage.
+struct RunTimes {
+    double read = 0, surface = 0, merge = 0, rays = 0, draw = 0, write = 0;
+    double total() const { return read + surface + merge + rays + draw + write; }
+};
+
+/// A folder of its own that goes with all it holds.
+class ScratchFolder {
+public:
+    ScratchFolder() : path_(std::filesystem::temp_directory_path() / fmt::format("limn-bench-{}", getpid())) { std::filesystem::create_directory(path_); }
+    ~ScratchFolder() { std::filesystem::remove_all(path_); }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    std::filesystem::path operator/(const char* name) const { return path_ / name; }
+
+private:
+    std::filesystem::path path_;
+};
+
+RunTimes time_run(const std::string& name, std::size_t triangles)
+{
+    const ScratchFolder folder;
+    ShapeOptions shape;
+    shape.name = name;
+    shape.triangles = triangles;
+    write_mesh(make_shape(shape).mesh, folder / "model.ply");
+    RunTimes times;
+    Stopwatch watch;
+    Mesh mesh = read_mesh(folder / "model.ply");
+    times.read = watch.lap();
+    const Bounds bounds = mesh.bounds();
+    const PreparedMesh prepared = prepare_mesh(std::move(mesh));
+    times.surface = watch.lap();
+    const PlacedSurface placed = prepared.placed();
+    const LineModel model = build_line_model({&placed, 1});
+    times.merge = watch.lap();
+    const RayScene rays = build_ray_scene(model);
+    times.rays = watch.lap();
+    const Drawing drawing = draw_lines(model, rays, Camera::framing(bounds), {});
+    times.draw = watch.lap();
+    write_drawing(drawing, {}, (folder / "model.svg").string(), "svg");
+    times.write = watch.lap();
+    return times;
+}
+
+std::string number(double x, int digits = 2) { return fmt::format("{:.{}f}", x, digits); }
+std::string percent(double x) { return fmt::format("{:.1f} %", 100 * x); }
+
+/// What is measured of one model over the ladder of sizes.
+class Ladder {
+public:
+    Ladder(const std::string& model, const LineBench& bench, Console& console) : model_(model), bench_(bench), console_(console) {}
+
+    std::string text()
+    {
+        for (const std::size_t size : bench_.sizes)
+            measure(size);
+        std::string out = fmt::format("### {}\n\nContours and suggestive contours of one view, milliseconds:\n\n{}", model_, extraction_.text());
+        out += exponents();
+        out += fmt::format("\nWhole further views (extract, visibility, chains and strokes), milliseconds:\n\n{}", views_.text());
+        out += fmt::format("\nOne run from a binary PLY file to an SVG file (default lines, no clusters), seconds:\n\n{}\n", runs_.text());
+        return out;
+    }
+
+private:
+    void measure(std::size_t size)
+    {
+        console_.progress(fmt::format("{}, {} triangles", model_, size), double(sizes_.size()) / double(bench_.sizes.size()));
+        const Subject s = make_subject(model_, size);
+        const double n = double(s.model.faces.size());
+        const std::string count = with_thousands(s.model.faces.size());
+        const ExtractionTimes e = time_extraction(s, bench_.views);
+        sizes_.push_back(n);
+        flat_.push_back(e.flat);
+        clustered_.push_back(e.clustered);
+        bounded_.push_back(e.bounded);
+        extraction_.add({count, with_thousands(std::size_t(e.segments)), number(e.flat), number(e.clustered), number(e.bounded), number(e.automatic),
+                         number(n / e.clustered / 1e3, 0), number(e.clustered / e.flat), number(e.bounded / e.flat), percent(e.survivors),
+                         number(1e3 * s.cluster_seconds, 0), number(s.surface_seconds)});
+        const ViewTimes v = time_views(s, bench_.views);
+        views_.add({count, number(v.extract), number(v.visibility), number(v.chain), number(v.total), number(v.total_flat), number(v.strokes, 0)});
+        const RunTimes r = time_run(model_, size);
+        runs_.add({count, number(r.read), number(r.surface), number(r.merge), number(r.rays), number(r.draw), number(r.write), number(r.total())});
+    }
+
+    std::string exponents() const
+    {
+        if (sizes_.size() < 2)
+            return "";
+        return fmt::format("\nTime grows as triangles to the power of {} (flat), {} (clustered), {} (bounded).\n", number(scaling_exponent(sizes_, flat_)),
+                           number(scaling_exponent(sizes_, clustered_)), number(scaling_exponent(sizes_, bounded_)));
+    }
+
+    std::string model_;
+    const LineBench& bench_;
+    Console& console_;
+    std::vector<double> sizes_, flat_, clustered_, bounded_;
+    MarkdownTable extraction_{{"triangles", "segments", "flat", "clustered", "bounded", "automatic", "clustered Mtri/s", "clustered/flat", "bounded/flat",
+                               "survivors", "build clusters", "surface (s)"}};
+    MarkdownTable views_{{"triangles", "extract", "visibility", "chain", "total", "total without clusters", "strokes"}};
+    MarkdownTable runs_{{"triangles", "read", "surface", "merge", "rays", "draw", "write", "total"}};
+};
+
+} // namespace
+
+std::string bench_lines(const LineBench& bench, Console& console)
+{
+    std::string out = fmt::format("## Lines\n\n`limn bench lines`, version {}, {}, {} threads. Shapes of `limn sample` without jitter; jets of double positions. "
+                                  "Medians of {} views; the variants take turns view by view in one run, so that each finds the caches as the others left them. "
+                                  "*flat*: passes over the whole model; *clustered*: clusters of faces, each with its own vertices; *bounded*: clusters that cannot "
+                                  "hold a line are passed over; *automatic*: bounded, unless more than half of the clusters survived in the view before. All four "
+                                  "give the same segments.\n\n",
+                                  LIMN_VERSION, machine_name(), tbb::this_task_arena::max_concurrency(), bench.views);
+    for (const std::string& model : bench.models)
+        out += Ladder(model, bench, console).text();
+    return out;
+}

@@ -1,0 +1,39 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "support/support.h"
+
+namespace limn::test {
+namespace {
+
+TEST(Bench, WritesATableForEveryModelAndReplacesOnlyItsSection)
+{
+    const TemporaryFolder folder;
+    write_text(folder / "bench.md", "# Speed\n\n<!-- begin other -->\nkept\n<!-- end other -->\n");
+    const std::string arguments = "bench lines --sizes 2k,4k --models torus,sphere --views 2 --quiet -o " + (folder / "bench.md").string();
+    for (int run = 0; run < 2; ++run) {
+        const ProgramResult result = run_limn(LIMN_COMMAND, arguments);
+        ASSERT_EQ(result.exit_code, 0) << result.errors;
+    }
+    const std::string text = read_text(folder / "bench.md");
+    EXPECT_TRUE(text.starts_with("# Speed\n\n<!-- begin other -->\nkept\n<!-- end other -->\n"));
+    for (const char* once : {"<!-- begin lines -->", "<!-- end lines -->", "### torus", "### sphere", "## Lines"}) {
+        const std::size_t at = text.find(once);
+        ASSERT_NE(at, std::string::npos) << once;
+        EXPECT_EQ(text.find(once, at + 1), std::string::npos) << once;
+    }
+}
+
+TEST(Bench, NamesWhatItCannotMeasure)
+{
+    const ProgramResult unknown = run_limn(LIMN_COMMAND, "bench cheese");
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.errors.find("cheese"), std::string::npos);
+    const ProgramResult size = run_limn(LIMN_COMMAND, "bench lines --sizes many");
+    EXPECT_EQ(size.exit_code, 2);
+    EXPECT_NE(size.errors.find("many"), std::string::npos);
+}
+
+} // namespace
+} // namespace limn::test
