@@ -32,7 +32,7 @@ struct Jet {
     dvec4 derivative;     ///< P Q S T in (e1,e2); zero for degree 2
     double reach;         ///< distance of the farthest neighbour in the tangent plane
     double residual;      ///< standard deviation of the heights from the fit; 0 unless asked for
-    bool ok;              ///< false: too few points, a small pivot, or a value that is not finite
+    bool ok;              ///< false: too few points, points that do not determine the fit, or a value that is not finite
 };
 
 /// What `fit_jets` reads.

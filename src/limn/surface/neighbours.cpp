@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 constexpr int most_rings = 8;
-/// Beyond this many points no further vertex is expanded: bounds the work around vertices of huge valence.
-constexpr std::size_t expansion_limit = 1024;
+/// After this many edges no further ring is looked at: bounds the work beside vertices of huge valence.
+constexpr std::size_t most_visits = 2048;
 
 /// Removes repeated entries behind `first`. Short lists keep their order; long ones (fans) are sorted instead.
 void remove_repeats(std::vector<std::uint32_t>& list, std::size_t first)
@@ -82,12 +82,13 @@ void RingCollector::collect(std::uint32_t centre, const RingSize& size, std::vec
     const std::size_t first = out.size();
     for (const std::uint32_t u : neighbours_.of(centre))
         visit(u, out);
+    visits_ = 0;
     std::size_t begin = first;
     for (int ring = 2; ring <= most_rings && (ring <= size.rings || out.size() - first < size.least); ++ring) {
         const std::size_t end = out.size();
         for (std::size_t i = begin; i < end; ++i)
             for (const std::uint32_t u : neighbours_.of(out[i]))
-                if (out.size() < first + expansion_limit)
+                if (visits_ < most_visits)
                     visit(u, out);
                 else
                     break;
@@ -99,6 +100,7 @@ void RingCollector::collect(std::uint32_t centre, const RingSize& size, std::vec
 
 void RingCollector::visit(std::uint32_t vertex, std::vector<std::uint32_t>& out)
 {
+    ++visits_;
     if (stamps_[vertex] == stamp_)
         return;
     stamps_[vertex] = stamp_;

@@ -46,6 +46,7 @@ private:
     const Neighbours& neighbours_;
     std::vector<std::uint32_t> stamps_;
     std::uint32_t stamp_ = 0;
+    std::size_t visits_ = 0;
     dvec3 axis_ = dvec3(0);
     double least_cosine_ = 0;
 };

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <map>
-#include <random>
 
 #include <tbb/enumerable_thread_specific.h>
 
 #include "limn/base/parallel.h"
+#include "limn/base/random.h"
 #include "limn/geometry/bounds.h"
 
 namespace limn {
@@ -28,9 +28,9 @@ std::vector<std::uint32_t> sample_vertices(const JetContext& context)
         for (std::size_t v = 0; v < vertices; ++v)
             sample[v] = std::uint32_t(v);
     } else {
-        std::mt19937_64 random(1);
+        Random random(1);
         for (std::size_t i = 0; i < sample_size; ++i)
-            sample.push_back(std::uint32_t(random() % vertices));
+            sample.push_back(random.below(std::uint32_t(vertices)));
         std::sort(sample.begin(), sample.end());
     }
     std::erase_if(sample, [&](std::uint32_t v) { return context.normals[v] == dvec3(0); });
