@@ -6,7 +6,11 @@ build_packages=(
     libglm-dev libeigen3-dev libtbb-dev libembree-dev libassimp-dev libcairo2-dev libpng-dev
     libfmt-dev libcli11-dev nlohmann-json3-dev libhwy-dev libgtest-dev
 )
-test_packages=(librsvg2-bin)   # rasterises Limn's SVG files, to compare them with its PNG files
+test_packages=(
+    librsvg2-bin  # rasterises Limn's SVG files, to compare them with its PNG files
+    poppler-utils # and its PDF files
+    glslang-tools # compiles the formulas as GLSL
+)
 model_packages=(glmark2-data)  # the Stanford bunny
 
 say() { printf '%s\n' "$*" >&2; }

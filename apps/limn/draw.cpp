@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "areas.h"
 #include "common.h"
 #include "console.h"
 #include "draw_report.h"
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
+#include "limn/drawing/sheet.h"
 #include "limn/drawing/style.h"
 #include "limn/drawing/write_drawing.h"
 #include "limn/lines/draw.h"
@@ -30,16 +32,13 @@ constexpr const char* examples = R"(Examples:
   limn draw vase.glb -o turn.svg --turntable 24
   cat bunny.ply | limn draw - --from ply -o - --to svg > bunny.svg)";
 
-enum class Shade { none, smooth, flat };
-
 struct DrawCommand {
     CommonOptions common;
     ViewOptions view;
     ModelOptions model;
     LineOptions lines;
     Style style;
-    Shade shade = Shade::none;
-    bool fill = false;
+    AreaOptions areas;
     int turntable = 0;
     bool lines_given = false;
 };
@@ -50,8 +49,9 @@ std::vector<std::string> known_formats() { return {drawing_formats().begin(), dr
 struct Stage {
     const DrawCommand& command;
     const Models& models;
-    RayScene rays;
+    const RayScene& rays;
     LineFeatures features;
+    SeenScene seen;
 };
 
 Drawing draw_view(const Stage& stage, const Camera& camera, DrawnView& view, Times& times)
@@ -59,52 +59,24 @@ Drawing draw_view(const Stage& stage, const Camera& camera, DrawnView& view, Tim
     view.camera = camera;
     Drawing drawing = draw_lines(stage.models.lines, stage.rays, stage.features, camera, stage.command.lines, &view.report);
     Stopwatch watch;
+    add_areas(drawing, stage.seen, stage.command.areas, stage.command.style);
     times.shade += watch.lap();
     return drawing;
 }
 
-void paste(Image& sheet, const Image& picture, ivec2 corner)
-{
-    for (int y = 0; y < picture.height; ++y)
-        std::copy_n(picture.at(0, y), picture.width * picture.channels, sheet.at(corner.x, corner.y + y));
-}
-
-/// Puts a picture onto a sheet with its upper left corner at `corner`.
-void place(Drawing& sheet, Drawing&& picture, ivec2 corner)
-{
-    const dvec2 shift(corner);
-    for (Stroke& stroke : picture.strokes) {
-        for (dvec2& point : stroke.points)
-            point += shift;
-        sheet.strokes.push_back(std::move(stroke));
-    }
-    for (Region& region : picture.regions) {
-        for (std::vector<dvec2>& ring : region.rings)
-            for (dvec2& point : ring)
-                point += shift;
-        sheet.regions.push_back(std::move(region));
-    }
-    paste(sheet.background, picture.background, corner);
-}
-
 Drawing draw_sheet(const Stage& stage, const Sheet& sheet, std::vector<DrawnView>& views, Times& times, Console& console)
 {
-    Drawing drawing;
-    if (sheet.cameras.size() > 1 && stage.command.shade != Shade::none)
-        drawing.background = Image(sheet.size, 3, 1.0f);
+    std::vector<Drawing> pictures;
     for (std::size_t i = 0; i < sheet.cameras.size(); ++i) {
-        console.progress(fmt::format("view {} of {}", i + 1, sheet.cameras.size()), 0.3 + 0.7 * double(i) / double(sheet.cameras.size()));
-        Drawing picture = draw_view(stage, sheet.cameras[i], views.emplace_back(), times);
-        if (sheet.cameras.size() == 1)
-            drawing = std::move(picture);
-        else
-            place(drawing, std::move(picture), sheet.corners[i]);
+        if (sheet.cameras.size() > 1)
+            console.progress(fmt::format("view {} of {}", i + 1, sheet.cameras.size()),
+                             0.3 + 0.7 * double(i) / double(sheet.cameras.size()));
+        pictures.push_back(draw_view(stage, sheet.cameras[i], views.emplace_back(), times));
+        pictures.back().mm_per_pixel = sheet.mm_per_pixel;
     }
-    std::stable_sort(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
-    drawing.camera = sheet.cameras.front();
-    drawing.camera.size = sheet.size;
-    drawing.mm_per_pixel = sheet.mm_per_pixel;
-    return drawing;
+    if (pictures.size() == 1)
+        return std::move(pictures.front());
+    return lay_on_sheet(std::move(pictures), sheet.corners, sheet.size, stage.command.view.views);
 }
 
 /// "turn-007.svg".
@@ -173,7 +145,7 @@ std::vector<std::string> draw_all(const Stage& stage, const std::vector<Output>&
     const char up_axis = up_axis_of(command.view, stage.models.inputs.front().format);
     const Scene scene = {stage.models.lines, stage.models.bounds()};
     std::vector<Sheet> sheets = command.turntable > 0 ? turntable(command.view, scene, up_axis, command.turntable)
-                                                      : std::vector<Sheet>{make_sheet(command.view, scene, up_axis)};
+                                                      : std::vector<Sheet>{place_cameras(command.view, scene, up_axis)};
     std::vector<std::string> written;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         if (sheets.size() > 1)
@@ -213,9 +185,9 @@ void run(DrawCommand& command)
     command.model.prepare.crease.angle = command.lines.crease_angle;
     const Models models = prepare_models(command.model, console);
     Stopwatch watch;
-    RayScene rays = build_ray_scene(models.lines);
+    const RayScene rays = build_ray_scene(models.lines);
     times.rays = watch.lap();
-    const Stage stage = {command, models, std::move(rays), find_line_features(models.lines, command.lines, std::max(command.turntable, 1))};
+    const Stage stage = {command, models, rays, find_line_features(models.lines, command.lines, std::max(command.turntable, 1)), seen_scene(models.lines, rays)};
     times.features = watch.lap();
     std::vector<DrawnView> views;
     Warnings warnings;
@@ -238,9 +210,9 @@ Subcommand add_draw(CLI::App& limn)
     add_table_options(*app, line_option_table(), command->lines, "Lines");
     add_table_options(*app, style_option_table(), command->style, "Look and page");
     add_table_options(*app, estimate_option_table(), command->model.prepare.estimate, "Surface");
-    app->add_flag("--fill", command->fill, "fill the shape's silhouette under the lines (always so with --style dark)")
+    app->add_flag("--fill", command->areas.fill, "fill the shape's silhouette under the lines (always so with --style dark)")
         ->group("Look and page");
-    app->add_option("--shade", command->shade, "none|smooth|flat: a shaded picture under the lines (default none)")
+    app->add_option("--shade", command->areas.shade, "none|smooth|flat: a shaded picture under the lines (default none)")
         ->type_name("X")
         ->transform(CLI::Transformer(std::map<std::string, Shade>{{"none", Shade::none}, {"smooth", Shade::smooth}, {"flat", Shade::flat}}))
         ->group("Look and page");

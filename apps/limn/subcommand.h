@@ -10,8 +10,7 @@ struct Subcommand {
     std::function<void()> run;
 };
 
-Subcommand add_draw(CLI::App& limn);
-
-Subcommand add_sample(CLI::App& limn);
-
 Subcommand add_bench(CLI::App& limn);
+Subcommand add_draw(CLI::App& limn);
+Subcommand add_info(CLI::App& limn);
+Subcommand add_sample(CLI::App& limn);

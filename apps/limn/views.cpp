@@ -104,19 +104,20 @@ Camera read_camera(const ViewOptions& options)
     return camera;
 }
 
-/// Pictures of equal size in rows, as many columns as rows or one more.
-void lay_out(Sheet& sheet, std::size_t count, ivec2 picture)
+/// Columns and rows of a sheet: as many of the one as of the other, or one more.
+ivec2 grid_of(std::size_t pictures)
 {
-    const int columns = int(std::ceil(std::sqrt(double(count)))), rows = (int(count) + columns - 1) / columns;
-    for (int i = 0; i < int(count); ++i)
-        sheet.corners.push_back(picture * ivec2(i % columns, i / columns));
-    sheet.size = picture * ivec2(columns, rows);
+    const int columns = int(std::ceil(std::sqrt(double(pictures))));
+    return {columns, (int(pictures) + columns - 1) / columns};
 }
 
-ivec2 picture_size(ivec2 sheet, std::size_t count)
+/// Puts pictures of equal size in rows.
+void lay_out(Sheet& sheet)
 {
-    const int columns = int(std::ceil(std::sqrt(double(count)))), rows = (int(count) + columns - 1) / columns;
-    return {sheet.x / columns, sheet.y / rows};
+    const ivec2 grid = grid_of(sheet.cameras.size()), picture = sheet.cameras.front().size;
+    for (int i = 0; i < int(sheet.cameras.size()); ++i)
+        sheet.corners.push_back(picture * ivec2(i % grid.x, i / grid.x));
+    sheet.size = picture * grid;
 }
 
 std::vector<Camera> framed_cameras(const ViewOptions& options, const Scene& scene, char up_axis, ivec2 picture)
@@ -149,8 +150,6 @@ void apply_scale(const ViewOptions& options, const Bounds& bounds, Sheet& sheet)
             throw Error::Input(fmt::format("--scale {}: the picture would be {:.0f} mm wide; take a larger N or another --unit",
                                            options.scale, need.x * css_mm_per_pixel));
         const ivec2 picture(need);
-        sheet.corners.clear();
-        lay_out(sheet, sheet.cameras.size(), picture);
         for (Camera& camera : sheet.cameras)
             camera.size = picture;
     }
@@ -245,29 +244,29 @@ char up_axis_of(const ViewOptions& options, const std::string& format)
     return format == "stl" || format == "3mf" ? 'z' : 'y';
 }
 
-Sheet make_sheet(const ViewOptions& options, const Scene& scene, char up_axis)
+Sheet place_cameras(const ViewOptions& options, const Scene& scene, char up_axis)
 {
     Sheet sheet;
     if (!options.camera_file.empty()) {
         sheet.cameras = {read_camera(options)};
-        lay_out(sheet, 1, sheet.cameras[0].size);
+        lay_out(sheet);
         return sheet;
     }
-    const std::size_t count = std::max<std::size_t>(1, options.views.size());
-    const ivec2 picture = picture_size(options.size.empty() ? default_size : parse_size(options.size), count);
+    const ivec2 grid = grid_of(std::max<std::size_t>(1, options.views.size()));
+    const ivec2 picture = max((options.size.empty() ? default_size : parse_size(options.size)) / grid, ivec2(1));
     if (options.eye.empty())
         sheet.cameras = framed_cameras(options, scene, up_axis, picture);
     else
         sheet.cameras = {placed_camera(options, scene.bounds, up_axis, picture)};
-    lay_out(sheet, count, picture);
     if (!options.scale.empty())
         apply_scale(options, scene.bounds, sheet);
+    lay_out(sheet);
     return sheet;
 }
 
 std::vector<Sheet> turntable(const ViewOptions& options, const Scene& scene, char up_axis, int count)
 {
-    const Sheet still = make_sheet(options, scene, up_axis);
+    const Sheet still = place_cameras(options, scene, up_axis);
     const bool framed = options.eye.empty() && options.camera_file.empty();
     std::vector<Camera> cameras = framed ? framed_around(options, still.cameras[0], scene, up_axis, count)
                                          : turned_around(still.cameras[0], scene.bounds, up_axis, count);

@@ -27,11 +27,11 @@ void add_view_options(CLI::App& app, ViewOptions& options);
 /// @throws limn::Error::Input for texts that say nothing, values out of range and options that contradict each other.
 void check_view_options(const ViewOptions& options);
 
-/// Several pictures on one sheet, all at one scale.
+/// The cameras of one picture, or of several on a sheet, all at one scale.
 struct Sheet {
-    limn::ivec2 size = {0, 0};
     std::vector<limn::Camera> cameras;
     std::vector<limn::ivec2> corners; ///< upper left corner of each camera's picture
+    limn::ivec2 size = {0, 0};        ///< of the whole
     double mm_per_pixel = 0;          ///< of a true scale; 0: none was asked for
 };
 
@@ -46,7 +46,7 @@ struct Scene {
 
 /// The cameras that the options ask for, around a model.
 /// @throws limn::Error::Input for a value out of its range, limn::Error::Read for a bad camera file.
-Sheet make_sheet(const ViewOptions& options, const Scene& scene, char up_axis);
+Sheet place_cameras(const ViewOptions& options, const Scene& scene, char up_axis);
 
 /// The one camera that the options ask for, turned around the model in `count` equal steps at one distance; a sheet each.
 std::vector<Sheet> turntable(const ViewOptions& options, const Scene& scene, char up_axis, int count);

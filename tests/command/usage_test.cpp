@@ -1,28 +1,94 @@
-#include <gtest/gtest.h>
-
-#include "support/support.h"
+#include "command/command.h"
 
 namespace limn::test {
 namespace {
 
-ProgramResult limn(const std::string& arguments) { return run_limn(LIMN_COMMAND, arguments); }
+using Usage = WithTorus;
 
-TEST(Usage, HelpAndVersionGoToStandardOutput)
+void expect_usage_error(const std::string& arguments, const std::string& message)
+{
+    const ProgramResult result = limn(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(result.output, "") << arguments;
+    EXPECT_EQ(result.errors, message + "\n") << arguments;
+}
+
+TEST_F(Usage, HelpAndVersionGoToStandardOutput)
 {
     const ProgramResult version = limn("--version"), help = limn("--help");
     EXPECT_EQ(version.exit_code, 0);
     EXPECT_EQ(version.output, "limn " LIMN_VERSION "\n");
     EXPECT_EQ(help.exit_code, 0);
-    EXPECT_NE(help.output.find("Usage: limn"), std::string::npos);
+    EXPECT_NE(help.output.find("Usage: limn COMMAND"), std::string::npos);
     EXPECT_EQ(version.errors + help.errors, "");
 }
 
-TEST(Usage, AnUnknownOptionIsAnsweredWithTheNearestRealOne)
+TEST_F(Usage, EverySubcommandHasHelpWithExamplesWithinAHundredColumns)
 {
-    const ProgramResult result = limn("--vresion");
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(result.output, "");
-    EXPECT_EQ(result.errors, "limn: unknown option '--vresion'; did you mean '--version'?\n");
+    for (const std::string command : {"draw", "info", "sample"}) {
+        const ProgramResult help = limn(command + " --help");
+        EXPECT_EQ(help.exit_code, 0);
+        EXPECT_NE(help.output.find("Usage: limn " + command), std::string::npos);
+        EXPECT_NE(help.output.find("Examples:\n  limn " + command), std::string::npos);
+        std::istringstream lines(help.output);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_LE(line.size(), 100u) << line;
+    }
+}
+
+TEST_F(Usage, HelpShowsEveryRowOfTheOptionTables)
+{
+    const std::string help = limn("draw --help").output;
+    for (const std::string name : {"lines", "hidden", "method", "suggestive-limit", "highlight-limit", "speed-limit", "crease-angle",
+                                   "feature-size", "style", "width", "stroke", "page", "curvature", "curvature-radius", "smooth", "fill",
+                                   "turntable", "cache", "size", "view", "eye", "look", "up", "fov", "ortho", "scale", "camera", "up-axis",
+                                   "threads", "quiet", "json", "strict", "device", "to", "from"})
+        EXPECT_NE(help.find("--" + name), std::string::npos) << name;
+}
+
+TEST_F(Usage, AMistypedOptionOrCommandIsAnsweredWithTheNearestRealOne)
+{
+    expect_usage_error("--vresion", "limn: unknown option '--vresion'; did you mean '--version'?");
+    expect_usage_error("darw x.ply", "limn: unknown command 'darw'; did you mean 'draw'?");
+    expect_usage_error("draw --sise 3x3 " + torus(), "limn draw: unknown option '--sise'; did you mean '--size'?");
+    expect_usage_error("draw --sugestive-limit=1 x.ply", "limn draw: unknown option '--sugestive-limit'; did you mean '--suggestive-limit'?");
+    expect_usage_error("draw --zzzzzzzzzzzz x.ply", "limn draw: unknown option '--zzzzzzzzzzzz'; see 'limn draw --help'");
+    expect_usage_error("sample tours -o t.ply", "limn sample: 'tours' is no shape; did you mean 'torus'?");
+    expect_usage_error("draw x.ply -o x.sgv",
+                       "limn draw: -o x.sgv: 'sgv' is not a format to write; known: svg, pdf, png, dxf, json, ply (did you mean 'svg'?)");
+}
+
+TEST_F(Usage, ValuesOutOfTheirRangeAreRefusedBeforeAnythingIsRead)
+{
+    const std::string missing = "draw no-such-file.obj -o " + path("a.svg") + " ";
+    expect_usage_error(missing + "--size 0x0", "limn draw: --size: '0x0' is outside 1x1..32768x32768");
+    expect_usage_error(missing + "--size 640", "limn draw: --size: '640' is not WIDTHxHEIGHT");
+    expect_usage_error(missing + "--view sideways", "limn draw: --view: 'sideways' is none of front|back|left|right|top|bottom|iso|AZ,EL");
+    expect_usage_error(missing + "--eye 1,2", "limn draw: --eye: '1,2' is not x,y,z");
+    expect_usage_error(missing + "--eye 1,2,nan", "limn draw: --eye: 'nan' is not a number");
+    expect_usage_error(missing + "--crease-angle 200", "limn draw: --crease-angle: 200 is outside 0..180");
+    expect_usage_error(missing + "--scale 2", "limn draw: --scale: '2' is not 1:N with N above 0");
+    expect_usage_error(missing + "--eye 1,2,3 --view top", "limn draw: --eye and --view both place the camera; leave one out");
+    EXPECT_EQ(limn(missing + "--lines conture").exit_code, 2);
+    EXPECT_EQ(limn(missing + "--turntable 0").exit_code, 2);
+    EXPECT_EQ(limn(missing + "--threads -1").exit_code, 2);
+    EXPECT_EQ(files(), std::vector<std::string>{"torus.obj"});
+}
+
+TEST_F(Usage, JsonAndADrawingOnStandardOutputExcludeEachOther)
+{
+    expect_usage_error("draw " + torus() + " --json -o - --to svg", "limn draw: --json and -o - both want standard output");
+    expect_usage_error("draw " + torus() + " -o -", "limn draw: -o -: standard output has no ending; say --to svg|pdf|png|dxf|json|ply");
+    expect_usage_error("draw " + torus() + " -o - --to svg --turntable 3",
+                       "limn draw: --turntable writes numbered files; -o - cannot hold them");
+}
+
+TEST_F(Usage, ARunThatWouldDoNothingSaysWhatIsMissing)
+{
+    EXPECT_EQ(limn("draw").exit_code, 2);
+    EXPECT_EQ(limn("draw " + torus()).exit_code, 2);
+    EXPECT_EQ(limn("sample").exit_code, 2);
+    EXPECT_EQ(limn("info").exit_code, 2);
 }
 
 } // namespace

@@ -11,56 +11,60 @@
 namespace limn {
 namespace {
 
-TEST(Sheet, LaysDrawingsOutInRowsWithoutOverlap)
+TEST(Sheet, PutsEverythingToItsPlace)
 {
-    std::vector<Drawing> drawings(5, test::sample_with_background());
-    drawings[3].background = Image();
-    drawings[4].camera.size = {320, 480};
-    SheetOptions options;
-    options.columns = 3;
-    options.gap = 20.0 / 640;
-    const Drawing sheet = make_sheet(drawings, options);
-    EXPECT_EQ(sheet.camera.size, ivec2(3 * 640 + 2 * 20, 2 * 480 + 20));
+    std::vector<Drawing> pictures(3, test::sample_with_background());
+    pictures[1].background = Image();
+    const std::vector<ivec2> corners = {{0, 0}, {660, 0}, {100, 500}};
+    const Drawing sheet = lay_on_sheet(pictures, corners, {1300, 1000});
+    EXPECT_EQ(sheet.camera.size, ivec2(1300, 1000));
     EXPECT_EQ(sheet.background.size(), sheet.camera.size);
-    EXPECT_EQ(sheet.strokes.size(), 5 * drawings[0].strokes.size());
+    EXPECT_EQ(sheet.strokes.size(), 3 * pictures[0].strokes.size());
     EXPECT_TRUE(std::is_sorted(sheet.strokes.begin(), sheet.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; }));
-    // The second drawing's shaded ball lies one cell to the right; the fourth has none.
-    EXPECT_EQ(sheet.background.at(660 + 300, 250)[0], drawings[0].background.at(300, 250)[0]);
-    EXPECT_EQ(sheet.background.at(300, 500 + 250)[0], 1.0f);
-    // Strokes of one type stay in the order of the drawings.
-    const Stroke& first = drawings[0].strokes[0];
-    EXPECT_EQ(sheet.strokes[0].points[0], first.points[0]);
-    EXPECT_EQ(sheet.strokes[4].points[0], first.points[0] + dvec2(660, 0));
-    EXPECT_EQ(sheet.strokes[12].points[0], first.points[0] + dvec2(0, 500));
-    EXPECT_EQ(sheet.strokes[16].points[0], first.points[0] + dvec2(660 + 160, 500)) << "in the middle of its cell";
+    EXPECT_EQ(sheet.background.at(100 + 300, 500 + 250)[0], pictures[0].background.at(300, 250)[0]);
+    EXPECT_EQ(sheet.background.at(660 + 300, 250)[0], 1.0f);
+    const dvec2 first = pictures[0].strokes[0].points[0]; // strokes of one type stay in the order of the pictures
+    EXPECT_EQ(sheet.strokes[0].points[0], first);
+    EXPECT_EQ(sheet.strokes[4].points[0], first + dvec2(660, 0));
+    EXPECT_EQ(sheet.strokes[8].points[0], first + dvec2(100, 500));
 }
 
-TEST(Sheet, ChoosesColumnsForAPageLikeShape)
+TEST(Sheet, KeepsRegionsOfOneKindTogether)
 {
-    const auto size_of = [](int count) { return make_sheet(std::vector<Drawing>(std::size_t(count), test::sample_drawing())).camera.size; };
-    EXPECT_EQ(size_of(1), ivec2(640, 480));
-    EXPECT_EQ(size_of(4).x / 640, 2);
-    EXPECT_EQ(size_of(6).x / 640, 3);
-    EXPECT_EQ(size_of(9).x / 640, 3);
+    std::vector<Drawing> pictures(2, test::sample_drawing());
+    for (Drawing& picture : pictures) {
+        picture.regions.push_back(picture.regions[0]);
+        picture.regions[1].name = "toon";
+    }
+    const Drawing sheet = lay_on_sheet(pictures, std::vector<ivec2>{{0, 0}, {640, 0}}, {1280, 480});
+    ASSERT_EQ(sheet.regions.size(), 4u);
+    EXPECT_EQ(sheet.regions[1].name, "silhouette");
+    EXPECT_EQ(sheet.regions[1].rings[0][0], pictures[0].regions[0].rings[0][0] + dvec2(640, 0));
+    EXPECT_EQ(sheet.regions[2].name, "toon");
 }
 
 TEST(Sheet, RefusesWhatDoesNotFitTogether)
 {
-    std::vector<Drawing> drawings(2, test::sample_drawing());
-    EXPECT_THROW(make_sheet({}), Error::Input);
-    EXPECT_THROW(make_sheet(drawings, {.captions = {"one"}}), Error::Input);
-    drawings[1].mm_per_pixel = 2;
-    EXPECT_THROW(make_sheet(drawings), Error::Input);
+    std::vector<Drawing> pictures(2, test::sample_drawing());
+    const std::vector<ivec2> corners = {{0, 0}, {640, 0}};
+    EXPECT_THROW(lay_on_sheet({}, {}, {10, 10}), Error::Input);
+    EXPECT_THROW(lay_on_sheet(pictures, corners, {1279, 480}), Error::Input);
+    EXPECT_THROW(lay_on_sheet(pictures, std::vector<ivec2>(1), {1280, 480}), Error::Input);
+    EXPECT_THROW(lay_on_sheet(pictures, corners, {1280, 480}, std::vector<std::string>{"one"}), Error::Input);
+    pictures[1].mm_per_pixel = 2;
+    EXPECT_THROW(lay_on_sheet(pictures, corners, {1280, 480}), Error::Input);
 }
 
-TEST(Sheet, WritesItsCaptionsUnderThePictures)
+TEST(Sheet, WritesItsCaptionsAtTheBottomOfThePictures)
 {
-    const std::vector<Drawing> drawings(2, test::sample_drawing());
-    const Drawing sheet = make_sheet(drawings, {.columns = 1, .captions = {"front", "az 45, el 35"}});
+    const std::vector<Drawing> pictures(2, test::sample_drawing());
+    const Drawing sheet = lay_on_sheet(pictures, std::vector<ivec2>{{0, 0}, {640, 0}}, {1280, 480}, std::vector<std::string>{"front", "az 45, el 35"});
     ASSERT_EQ(sheet.captions.size(), 2u);
-    EXPECT_EQ(sheet.captions[0].position.x, 320);
-    EXPECT_GT(sheet.captions[0].position.y - sheet.captions[0].height, 480);
-    EXPECT_NE(to_svg(sheet).find("id=\"captions\""), std::string::npos);
+    EXPECT_EQ(sheet.captions[1].position.x, 960);
+    EXPECT_LT(sheet.captions[1].position.y, 480);
+    EXPECT_GT(sheet.captions[1].position.y - sheet.captions[1].height, 450);
+    const std::string svg = to_svg(sheet);
+    EXPECT_NE(svg.find("id=\"captions\""), std::string::npos);
 }
 
 TEST(Lettering, StaysBetweenBaseAndCapitalLineAndIsCentred)

@@ -73,7 +73,7 @@ TEST(ObjReader, KeepsSeparateIndicesOfTextureAndNormal)
 
 TEST(ObjReader, TakesWindowsLineEndsCommentsContinuationsAndNoFinalLineFeed)
 {
-    const Mesh mesh = read_text("# a path \\\r\nv 0 0 0 # origin\r\n  v 1 \\\r\n 0 0\r\n\tv\t0\t1\t0\r\n\r\nf 1 2 \\\r\n3", as_it_stands).mesh;
+    const Mesh mesh = read_text("# a path \\\r\nv 0 0 0 # origin\r\n  v 1 \\\r\n 0 0\r\n\tv\t0\t1\t0\r\n\r\nf 1 2\\\r\n3", as_it_stands).mesh;
     ASSERT_EQ(mesh.positions.size(), 3u);
     EXPECT_EQ(mesh.positions[1], dvec3(1, 0, 0));
     ASSERT_EQ(mesh.triangles.size(), 1u);

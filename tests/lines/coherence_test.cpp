@@ -1,6 +1,13 @@
 #include "limn/lines/coherence.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
+
+#include "limn/lines/draw.h"
+#include "limn/surface/estimate.h"
+#include "limn/surface/shapes.h"
 
 namespace limn {
 namespace {
@@ -107,6 +114,43 @@ TEST(Coherence, NoFramesAndNoLinesAreCalm)
 {
     EXPECT_EQ(measure_coherence({}).flicker, 0);
     EXPECT_EQ(measure_coherence(std::vector<Drawing>(5)).flicker, 0);
+}
+
+/// Suggestive contours of an irregular torus with per-face tensors, while the eye turns by three degrees a frame.
+Coherence turning(const LineModel& model, bool limited)
+{
+    const RayScene rays = build_ray_scene(model);
+    LineOptions options;
+    options.lines.assign(1, LineType::suggestive);
+    if (!limited)
+        options.suggestive_limit = options.fade = 0;
+    const LineFeatures features = find_line_features(model, options);
+    std::vector<Drawing> frames;
+    for (int i = 0; i < 20; ++i) {
+        const double a = 3 * i * std::numbers::pi / 180;
+        Camera camera;
+        camera.eye = {4 * std::cos(a), 4 * std::sin(a), 2.5};
+        camera.up = {0, 0, 1};
+        camera.size = {1200, 900};
+        frames.push_back(draw_lines(model, rays, features, camera, options));
+    }
+    return measure_coherence(frames);
+}
+
+// Checklist 27 (i), (iv): limits and fading calm the lines of an irregular mesh at least twofold.
+TEST(Coherence, LimitsAndFadingCalmAnIrregularMesh)
+{
+    const Shape shape = make_shape({.name = "bumpy-torus", .triangles = 36864, .jitter = 0.2});
+    const Surface surface = estimate_surface(shape.mesh, {.method = CurvatureMethod::tensor});
+    const PlacedSurface placed = {&shape.mesh, &surface};
+    const LineModel model = build_line_model({&placed, 1});
+    const Coherence plain = turning(model, false), limited = turning(model, true);
+    EXPECT_LE(limited.flicker, 0.5 * plain.flicker);
+    EXPECT_LE(limited.micro_strokes, 0.5 * plain.micro_strokes);
+    EXPECT_GT(plain.micro_strokes, 1);
+    EXPECT_GT(limited.strokes, 8) << "calm, but not empty";
+    RecordProperty("flicker", fmt::format("{:.4f} {:.4f}", plain.flicker, limited.flicker));
+    RecordProperty("micro_strokes", fmt::format("{:.2f} {:.2f}", plain.micro_strokes, limited.micro_strokes));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/lines/contour.h"
+#include "limn/surface/estimate.h"
 #include "lines/analytic.h"
 
 namespace limn {
@@ -65,6 +66,29 @@ TEST(Suggestive, ConvergesToTheLoopsOfTheTorus)
     }
 }
 
+/// The jittered torus with an estimated surface.
+LineModel estimated_torus(std::size_t triangles, const EstimateOptions& options)
+{
+    Shape shape = make_shape({.name = "torus", .triangles = triangles, .jitter = 0.2, .float_positions = false});
+    shape.exact = estimate_surface(shape.mesh, options);
+    return model_of(shape);
+}
+
+// Checklist 9: per-face tensors call lines on an irregular mesh wrongly, more so the finer it is; jets do not, and their
+// total length is right.
+TEST(Suggestive, JetsHoldTheLinesOfAnIrregularTorus)
+{
+    const Torus torus;
+    const double exact = loop_error(torus, torus_model(torus, 147456), unlimited(), 10).length;
+    for (const std::size_t triangles : {9216, 36864}) {
+        const LoopError jets = loop_error(torus, estimated_torus(triangles, {}), unlimited(), 10);
+        const LoopError tensor = loop_error(torus, estimated_torus(triangles, {.method = CurvatureMethod::tensor}), unlimited(), 10);
+        EXPECT_LE(jets.false_part, 0.02);
+        EXPECT_NEAR(jets.length, exact, 0.05 * exact);
+        EXPECT_GT(tensor.false_part, jets.false_part);
+    }
+}
+
 // Checklist 9: kr = 0 exactly at x = m pi / k for every eye, and nowhere else.
 TEST(Suggestive, LiesOnTheInflectionsOfASineSheet)
 {
@@ -117,6 +141,159 @@ TEST(Suggestive, FindsNothingOnConvexShapes)
         const LineModel model = shape_model(name, 5000);
         EXPECT_TRUE(find_suggestive_faces(model).candidates.empty());
         EXPECT_TRUE(extract_suggestive(model, perspective_view(model, {3, 2, 1}), unlimited()).empty());
+    }
+}
+
+// Checklist 10: neighbours agree at shared edges. On a closed mesh seen whole, every edge that a line crosses ends two
+// segments, with the same bits.
+TEST(Suggestive, NeighboursShareTheEndsOnTheirEdges)
+{
+    const LineModel model = shape_model("blob", 20000, 0.2);
+    std::mt19937 random(9);
+    for (int i = 0; i < 10; ++i) {
+        SuggestiveOptions options;
+        options.limit = i % 2 == 0 ? 0 : 0.05f;
+        options.speed_limit = i % 3 == 0 ? 2 : 0;
+        options.shortcuts.front_only = false;
+        options.highlight = i >= 5;
+        const auto segments = extract_suggestive(model, perspective_view(model, 4.0 * random_direction(random)), options);
+        std::map<std::uint32_t, std::vector<std::pair<vec3, float>>> ends;
+        std::size_t trimmed = 0, against = 0;
+        std::map<std::uint32_t, int> direction;
+        for (const Segment& s : segments) {
+            trimmed += s.edge_a == none || s.edge_b == none;
+            if (s.edge_a != none) {
+                ends[s.edge_a].push_back({s.a, s.ink_a});
+                ++direction[s.edge_a];
+            }
+            if (s.edge_b != none) {
+                ends[s.edge_b].push_back({s.b, s.ink_b});
+                --direction[s.edge_b];
+            }
+        }
+        ASSERT_GT(ends.size(), 100u);
+        EXPECT_GT(trimmed, 0u);
+        for (const auto& [edge, both] : ends) {
+            ASSERT_EQ(both.size(), 2u) << "edge " << edge;
+            EXPECT_TRUE(both[0] == both[1]) << "edge " << edge;
+            against += direction[edge] != 0;
+        }
+        EXPECT_EQ(against, 0u) << "a segment enters where its neighbour leaves";
+    }
+}
+
+/// Where contours have kr = 0 and go over into suggestive contours, by linear interpolation on their segments; world units.
+std::vector<dvec3> contour_ends(const Torus& torus, const LineModel& model, const dvec3& eye)
+{
+    std::vector<dvec3> ends;
+    const auto at = [&](const vec3& p) {
+        const dvec3 world = model.to_world(p);
+        return exact_radial(torus.nearest(world), eye - world, false);
+    };
+    for (const Segment& s : extract_contours(model, facing_of_vertices(model, perspective_view(model, eye)))) {
+        const ExactRadial a = at(s.a), b = at(s.b);
+        if ((a.kr < 0) != (b.kr < 0) && a.along > 0 && b.along > 0)
+            ends.push_back(glm::mix(model.to_world(s.a), model.to_world(s.b), a.kr / (a.kr - b.kr)));
+    }
+    return ends;
+}
+
+// Checklist 11.
+TEST(Suggestive, ContinuesWhereContoursEnd)
+{
+    const Torus torus;
+    double last = 1;
+    for (const std::size_t triangles : {2304, 9216, 36864}) {
+        const LineModel model = torus_model(torus, triangles);
+        std::mt19937 random(21);
+        double squares = 0;
+        int count = 0;
+        for (int i = 0; i < 20; ++i) {
+            const dvec3 eye = 4.0 * random_direction(random);
+            const auto segments = extract_suggestive(model, perspective_view(model, eye), unlimited());
+            for (const dvec3& end : contour_ends(torus, model, eye)) {
+                double nearest = 10;
+                for (const Segment& s : segments)
+                    nearest = std::min({nearest, glm::distance(end, model.to_world(s.a)), glm::distance(end, model.to_world(s.b))});
+                squares += nearest * nearest;
+                ++count;
+            }
+        }
+        ASSERT_GT(count, 10);
+        const double rms = std::sqrt(squares / count);
+        EXPECT_LT(rms, 0.75 * last) << triangles << " triangles";
+        last = rms;
+    }
+    EXPECT_LT(last, 0.01);
+}
+
+// Checklist 15: seen from infinity, contours on front faces are highlights on back faces of the opposite view, and the lengths of
+// one view are equal crosswise.
+TEST(Suggestive, FrontContoursAreBackHighlightsInOrthographicViews)
+{
+    const LineModel model = torus_model({}, 36864);
+    std::mt19937 random(31);
+    const auto lengths = [&](const View& view, bool highlight) { // front, back
+        SuggestiveOptions options = unlimited();
+        options.highlight = highlight;
+        const double front = length_of(model, extract_suggestive(model, view, options));
+        options.shortcuts.front_only = false;
+        return std::pair(front, length_of(model, extract_suggestive(model, view, options)) - front);
+    };
+    for (int i = 0; i < 20; ++i) {
+        const View view = orthographic_view(random_direction(random));
+        const auto [front_contours, back_contours] = lengths(view, false);
+        const auto [front_highlights, back_highlights] = lengths(view, true);
+        EXPECT_NEAR(front_contours, back_highlights, 0.01 * front_contours + 0.01);
+        EXPECT_NEAR(back_contours, front_highlights, 0.01 * back_contours + 0.01);
+        EXPECT_GT(back_contours, front_contours);
+    }
+}
+
+// Checklist 15: highlights on slopes that face the eye, contours on slopes that fall away.
+TEST(Suggestive, HighlightsLieOnSlopesThatFaceTheEye)
+{
+    const LineModel model = shape_model("sine-sheet", 8000);
+    const dvec3 eye = {3, 0.65, 1};
+    SuggestiveOptions options = unlimited();
+    options.shortcuts.front_only = false;
+    for (const bool highlight : {false, true}) {
+        options.highlight = highlight;
+        const auto segments = extract_suggestive(model, perspective_view(model, eye), options);
+        ASSERT_FALSE(segments.empty());
+        for (const Segment& s : segments) {
+            const dvec3 p = model.to_world(s.a);
+            const dvec3 n = shape_point("sine-sheet", {p.x, p.y, 0}).normal;
+            EXPECT_EQ(n.x * (eye.x - p.x) > 0, highlight);
+        }
+    }
+}
+
+/// Mean lengths of suggestive contours on front and back faces over random orthographic views; R = 1.
+std::pair<double, double> front_and_back(double r, int views, std::size_t triangles)
+{
+    const LineModel model = torus_model({r}, triangles);
+    std::mt19937 random(41);
+    double front = 0, all = 0;
+    for (int i = 0; i < views; ++i) {
+        const View view = orthographic_view(random_direction(random));
+        const auto codes = view_codes(model, view);
+        SuggestiveOptions options = unlimited();
+        front += length_of(model, extract_suggestive(model, view, codes, options));
+        options.shortcuts.front_only = false;
+        all += length_of(model, extract_suggestive(model, view, codes, options));
+    }
+    return {front / views, (all - front) / views};
+}
+
+// Checklist 18.
+TEST(Suggestive, MostOfTheTorusesLinesAreHidden)
+{
+    const double r[3] = {0.2, 0.4, 0.8}, ratio[3] = {10.1, 5.3, 3.4}, length[3] = {0.51, 0.87, 1.52};
+    for (int i = 0; i < 3; ++i) {
+        const auto [front, back] = front_and_back(r[i], 400, 36864);
+        EXPECT_NEAR(back / front, ratio[i], 0.1 * ratio[i]) << "r/R = " << r[i];
+        EXPECT_NEAR(front, length[i], 0.1 * length[i]) << "r/R = " << r[i];
     }
 }
 

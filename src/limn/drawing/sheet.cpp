@@ -1,7 +1,7 @@
 #include "limn/drawing/sheet.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -10,116 +10,88 @@
 namespace limn {
 namespace {
 
-/// Where the cells of a sheet lie, in pixels.
-struct Grid {
-    int columns = 1, rows = 1;
-    ivec2 cell = {0, 0};
-    int gap = 0, caption = 0; ///< caption: height of the strip under each picture
-
-    ivec2 size() const { return {columns * cell.x + (columns - 1) * gap, rows * (cell.y + caption) + (rows - 1) * gap}; }
-    ivec2 corner(int index) const
-    {
-        return {(index % columns) * (cell.x + gap), (index / columns) * (cell.y + caption + gap)};
+void check(const std::vector<Drawing>& pictures, std::span<const ivec2> corners, ivec2 size, std::span<const std::string> captions)
+{
+    if (pictures.empty())
+        throw Error::Input("a sheet needs at least one picture");
+    if (corners.size() != pictures.size() || (!captions.empty() && captions.size() != pictures.size()))
+        throw Error::Input(fmt::format("a sheet of {} pictures has {} places and {} captions", pictures.size(), corners.size(), captions.size()));
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const ivec2 low = corners[i], high = corners[i] + pictures[i].camera.size;
+        if (low.x < 0 || low.y < 0 || high.x > size.x || high.y > size.y)
+            throw Error::Input(fmt::format("picture {} at {},{} is not on the sheet of {}x{}", i + 1, low.x, low.y, size.x, size.y));
+        if (pictures[i].mm_per_pixel != pictures[0].mm_per_pixel)
+            throw Error::Input(fmt::format("the pictures of a sheet have different scales: {} and {} mm per pixel", pictures[0].mm_per_pixel, pictures[i].mm_per_pixel));
     }
-};
-
-void check(std::span<const Drawing> drawings, const SheetOptions& options)
-{
-    if (drawings.empty())
-        throw Error::Input("a sheet needs at least one drawing");
-    if (!options.captions.empty() && options.captions.size() != drawings.size())
-        throw Error::Input(fmt::format("a sheet of {} drawings has {} captions", drawings.size(), options.captions.size()));
-    for (const Drawing& drawing : drawings)
-        if (drawing.mm_per_pixel != drawings[0].mm_per_pixel)
-            throw Error::Input(fmt::format("the drawings of a sheet have different scales: {} and {} mm per pixel", drawings[0].mm_per_pixel, drawing.mm_per_pixel));
 }
 
-Grid grid_for(std::span<const Drawing> drawings, const SheetOptions& options)
+void shift(std::vector<dvec2>& points, const dvec2& by)
 {
-    Grid grid;
-    for (const Drawing& drawing : drawings)
-        grid.cell = glm::max(grid.cell, drawing.camera.size);
-    const int larger = std::max(grid.cell.x, grid.cell.y), count = int(drawings.size());
-    grid.gap = int(std::lround(std::max(0.0, options.gap) * larger));
-    grid.caption = options.captions.empty() ? 0 : std::max(1, int(std::lround(0.06 * larger)));
-    const auto with_columns = [&](int columns) {
-        Grid tried = grid;
-        tried.columns = std::clamp(columns, 1, count);
-        tried.rows = (count + tried.columns - 1) / tried.columns;
-        return tried;
-    };
-    if (options.columns > 0)
-        return with_columns(options.columns);
-    // Unlikeness to 4 : 3, where an empty cell counts like a tenth of it.
-    const auto unlikeness = [&](const Grid& g) {
-        return std::abs(std::log(0.75 * g.size().x / g.size().y)) + 0.1 * (g.columns * g.rows - count);
-    };
-    Grid best = with_columns(1);
-    for (int columns = 2; columns <= count; ++columns)
-        if (const Grid tried = with_columns(columns); unlikeness(tried) < unlikeness(best))
-            best = tried;
-    return best;
+    for (dvec2& p : points)
+        p += by;
 }
 
-void copy_picture(const Image& from, Image& to, const ivec2& corner)
+/// Strokes, regions and captions to their place on the sheet.
+void shift(Drawing& picture, const dvec2& by)
 {
-    for (int y = 0; y < from.height; ++y)
-        for (int x = 0; x < from.width; ++x)
+    for (Stroke& stroke : picture.strokes)
+        shift(stroke.points, by);
+    for (Region& region : picture.regions)
+        for (auto& ring : region.rings)
+            shift(ring, by);
+    for (Caption& caption : picture.captions)
+        caption.position += by;
+}
+
+void paste(Image& sheet, const Image& picture, const ivec2& corner)
+{
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
             for (int c = 0; c < 3; ++c)
-                to.at(corner.x + x, corner.y + y)[c] = from.at(x, y)[from.channels < 3 ? 0 : c];
+                sheet.at(corner.x + x, corner.y + y)[c] = picture.at(x, y)[picture.channels < 3 ? 0 : c];
 }
 
-void add_strokes(Drawing& sheet, const Drawing& drawing, const dvec2& corner)
+Caption caption_for(const Drawing& picture, const std::string& text)
 {
-    for (Stroke stroke : drawing.strokes) {
-        for (dvec2& p : stroke.points)
-            p += corner;
-        sheet.strokes.push_back(std::move(stroke));
-    }
+    const dvec2 size = picture.camera.size;
+    const double shorter = std::min(size.x, size.y);
+    return {{0.5 * size.x, size.y - 0.01 * shorter}, 0.03 * shorter, text};
 }
 
-/// Region k of every drawing before region k + 1 of any, so that regions of one kind stay together.
-void add_regions(Drawing& sheet, std::span<const Drawing> drawings, const std::vector<ivec2>& corners)
+template <class T> void append(std::vector<T>& to, std::vector<T>& from) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
+
+/// Region k of every picture before region k + 1 of any, so that regions of one kind stay together.
+void add_regions(Drawing& sheet, std::vector<Drawing>& pictures)
 {
     std::size_t most = 0;
-    for (const Drawing& drawing : drawings)
-        most = std::max(most, drawing.regions.size());
+    for (const Drawing& picture : pictures)
+        most = std::max(most, picture.regions.size());
     for (std::size_t k = 0; k < most; ++k)
-        for (std::size_t i = 0; i < drawings.size(); ++i) {
-            if (k >= drawings[i].regions.size())
-                continue;
-            Region region = drawings[i].regions[k];
-            for (auto& ring : region.rings)
-                for (dvec2& p : ring)
-                    p += dvec2(corners[i]);
-            sheet.regions.push_back(std::move(region));
-        }
+        for (Drawing& picture : pictures)
+            if (k < picture.regions.size())
+                sheet.regions.push_back(std::move(picture.regions[k]));
 }
 
 } // namespace
 
-Drawing make_sheet(std::span<const Drawing> drawings, const SheetOptions& options)
+Drawing lay_on_sheet(std::vector<Drawing> pictures, std::span<const ivec2> corners, ivec2 size, std::span<const std::string> captions)
 {
-    check(drawings, options);
-    const Grid grid = grid_for(drawings, options);
+    check(pictures, corners, size, captions);
     Drawing sheet;
-    sheet.camera = drawings[0].camera;
-    sheet.camera.size = grid.size();
-    sheet.mm_per_pixel = drawings[0].mm_per_pixel;
-    std::vector<ivec2> corners;
-    for (std::size_t i = 0; i < drawings.size(); ++i)
-        corners.push_back(grid.corner(int(i)) + (grid.cell - drawings[i].camera.size) / 2);
-    if (std::any_of(drawings.begin(), drawings.end(), [](const Drawing& d) { return !d.background.empty(); }))
-        sheet.background = Image(grid.size(), 3, 1.0f);
-    for (std::size_t i = 0; i < drawings.size(); ++i) {
-        add_strokes(sheet, drawings[i], corners[i]);
-        if (!drawings[i].background.empty())
-            copy_picture(drawings[i].background, sheet.background, corners[i]);
-        if (!options.captions.empty())
-            sheet.captions.push_back({dvec2(grid.corner(int(i))) + dvec2(0.5 * grid.cell.x, grid.cell.y + 0.75 * grid.caption), 0.5 * grid.caption,
-                                      options.captions[i]});
+    sheet.camera = pictures[0].camera;
+    sheet.camera.size = size;
+    sheet.mm_per_pixel = pictures[0].mm_per_pixel;
+    if (std::any_of(pictures.begin(), pictures.end(), [](const Drawing& d) { return !d.background.empty(); }))
+        sheet.background = Image(size, 3, 1.0f);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        if (!captions.empty())
+            pictures[i].captions.push_back(caption_for(pictures[i], captions[i]));
+        shift(pictures[i], dvec2(corners[i]));
+        paste(sheet.background, pictures[i].background, corners[i]);
+        append(sheet.strokes, pictures[i].strokes);
+        append(sheet.captions, pictures[i].captions);
     }
-    add_regions(sheet, drawings, corners);
+    add_regions(sheet, pictures);
     std::stable_sort(sheet.strokes.begin(), sheet.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
     return sheet;
 }

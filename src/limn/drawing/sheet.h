@@ -8,15 +8,11 @@
 
 namespace limn {
 
-struct SheetOptions {
-    int columns = 0;                   ///< 0: as many as bring the sheet nearest to 4 : 3
-    double gap = 0.03;                 ///< free space between the pictures, as a part of the larger side of a cell
-    std::vector<std::string> captions; ///< one for each drawing, under it; empty: none
-};
-
-/// Lays drawings out in rows, each in the middle of a cell as large as the largest of them, as one drawing. Its camera
-/// is the first one's with the size of the sheet: points in the picture count, other views' cameras are lost.
-/// @throws Error::Input for no drawing, another number of captions, or drawings of different true scale.
-Drawing make_sheet(std::span<const Drawing> drawings, const SheetOptions& options = {});
+/// Lays pictures on a sheet of `size` pixels, each with its upper left corner at its place, as one drawing. Its camera is
+/// the first one's with the size of the sheet: what lies in the picture counts, the cameras of other views are lost.
+/// @param captions  one for each picture, at the bottom of it, inside; empty: none
+/// @throws Error::Input for no picture, another number of corners or captions, a picture that is not on the sheet, or
+///                      pictures of different true scale.
+Drawing lay_on_sheet(std::vector<Drawing> pictures, std::span<const ivec2> corners, ivec2 size, std::span<const std::string> captions = {});
 
 } // namespace limn

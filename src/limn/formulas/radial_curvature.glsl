@@ -84,9 +84,9 @@ FORMULA float faded_ink(const float strength, const float ramp_times_limit)
     return ramp_times_limit > 0.0f ? clamp(strength / ramp_times_limit, 0.0f, 1.0f) : 1.0f;
 }
 
-// Largest speed of a point of the kr = 0 loop on the surface, per unit of camera motion: turn / gradient
-// = 2 |tr| / (|w| |grad kr|). Unit: 1 for a perspective view (length per length). The two parts are finite everywhere,
-// so that they can be interpolated; both are 0 head-on.
+// Largest speed of a point of the kr = 0 loop on the surface, per unit of camera motion: |turn| / gradient
+// = 2 |tr| / (|w| |grad kr|). Unit: 1 for a perspective view (length per length). The two parts are finite everywhere and
+// turn keeps its sign, so that they can be interpolated; both are 0 head-on.
 FORMULA void suggestive_speed_parts(const RadialTerms r, const float k1, const float k2, const float along, const float across,
                                     OUT(float) turn, OUT(float) gradient)
 {
@@ -94,7 +94,7 @@ FORMULA void suggestive_speed_parts(const RadialTerms r, const float k1, const f
     gradient = 0.0f;
     if (is_head_on(r))
         return;
-    turn = 2.0f * abs((k2 - k1) * r.a * r.b / r.w2);
+    turn = 2.0f * ((k2 - k1) * r.a * r.b / r.w2);
     gradient = sqrt(r.w2) * sqrt(along * along + across * across);
 }
 
@@ -103,7 +103,7 @@ FORMULA float suggestive_speed(const RadialTerms r, const float k1, const float 
     float turn;
     float gradient;
     suggestive_speed_parts(r, k1, k2, along, across, turn, gradient);
-    return gradient > 0.0f ? turn / gradient : 0.0f;
+    return gradient > 0.0f ? abs(turn) / gradient : 0.0f;
 }
 
 // Speed of a point of the contour generator per unit of camera motion along the normal: 1 / (|w| sqrt(kr^2 + tr^2)).

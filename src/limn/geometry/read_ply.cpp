@@ -250,8 +250,23 @@ private:
         return rows;
     }
 
+    /// Passes by the row of a lone list with a length of one byte, as nearly all files have it. @return false: it has to be looked at
+    bool skip_short_list(const PlyElement& element, std::size_t& at) const
+    {
+        const PlyProperty& property = element.properties[0];
+        if (element.properties.size() > 1 || property.count != PlyType::uint8 || at == bytes_.size())
+            return false;
+        const std::size_t size = 1 + static_cast<unsigned char>(bytes_[at]) * size_of(property.type);
+        if (size > bytes_.size() - at)
+            return false;
+        at += size;
+        return true;
+    }
+
     void skip_row(const PlyElement& element, std::size_t row, std::size_t& at) const
     {
+        if (skip_short_list(element, at))
+            return;
         for (const PlyProperty& property : element.properties) {
             if (bytes_.size() - at < size_of(property.is_list() ? property.count : property.type))
                 truncated(element, row, bytes_.size());
@@ -280,6 +295,14 @@ private:
     {
         const std::size_t count = std::size_t(load_real(at, property.count, swap_));
         at += size_of(property.count);
+        if (count == 3 && !swap_ && size_of(property.type) == 4 && property.type != PlyType::float32) {
+            std::uint32_t v[3]; // negative ones are too large
+            std::memcpy(v, at, sizeof v);
+            if (std::max({v[0], v[1], v[2]}) < file_.vertex->count) {
+                block.corners.insert(block.corners.end(), v, v + 3);
+                return file_.end_face(block, 3);
+            }
+        }
         for (std::size_t k = 0; k < count; ++k, at += size_of(property.type)) {
             const double value = load_real(at, property.type, swap_);
             if (!(value >= 0 && value < double(file_.vertex->count)))

@@ -80,9 +80,14 @@ bool LineWalker::next()
     return true;
 }
 
+bool Fields::at_blank() const
+{
+    return is_blank(*at_) || (*at_ == '\\' && at_ + 1 < end_ && (at_[1] == '\n' || at_[1] == '\r'));
+}
+
 void Fields::skip_blanks()
 {
-    while (at_ < end_ && (is_blank(*at_) || (*at_ == '\\' && at_ + 1 < end_ && (at_[1] == '\n' || at_[1] == '\r'))))
+    while (at_ < end_ && at_blank())
         ++at_;
 }
 
@@ -90,7 +95,7 @@ std::string_view Fields::next()
 {
     skip_blanks();
     const char* const begin = at_;
-    while (at_ < end_ && !is_blank(*at_))
+    while (at_ < end_ && !at_blank())
         ++at_;
     return {begin, std::size_t(at_ - begin)};
 }

@@ -52,6 +52,7 @@ public:
     char peek();
 
 private:
+    bool at_blank() const;
     void skip_blanks();
     const char* at_;
     const char* end_;

@@ -4,15 +4,14 @@
 #include "limn/base/parallel.h"
 #include "limn/formulas/formulas.h"
 #include "limn/lines/extremal.h"
-#include "limn/lines/short_chains.h"
 
 namespace limn {
 namespace {
 
-constexpr std::size_t vertex_grain = 8192, face_grain = 8192;
+constexpr std::size_t grain = 8192;
 
-// Nearer to edge-on than this (cosine) the view-dependent curvature is that of the contour.
-constexpr float least_cosine = 0.02f;
+// Nearer to edge-on than this (cosine; 85 degrees) q1 is large because of the view, and its lines run beside the contour.
+constexpr float least_cosine = 0.09f;
 
 ExtremalCorner apparent_corner(const LineModel& model, const View& view, std::size_t i)
 {
@@ -36,18 +35,9 @@ std::vector<Segment> extract_apparent_ridges(const LineModel& model, const View&
         throw Error::Input("apparent ridges need the derivative of curvature, which the surface does not hold");
     const ExtremalLimits limits = {std::max(options.limit, 1e-6f) / options.feature_size, options.sharpness, options.fade};
     std::vector<ExtremalCorner> at_vertex(model.vertex_count());
-    parallel_each(at_vertex.size(), vertex_grain, [&](std::size_t i) { at_vertex[i] = apparent_corner(model, view, i); });
-    std::vector<Segment> segments = parallel_collect<Segment>(model.faces.size(), face_grain, [&](std::size_t begin, std::size_t end, std::vector<Segment>& out) {
-        for (std::size_t f = begin; f < end; ++f) {
-            const uvec3& t = model.faces[f];
-            const ExtremalCorner corners[3] = {at_vertex[t.x], at_vertex[t.y], at_vertex[t.z]};
-            Segment segment;
-            if (extremal_segment(model, std::uint32_t(f), corners, limits, segment))
-                out.push_back(segment);
-        }
-    });
-    drop_short_chains(segments, double(options.min_length * options.feature_size));
-    return segments;
+    parallel_each(at_vertex.size(), grain, [&](std::size_t i) { at_vertex[i] = apparent_corner(model, view, i); });
+    const auto corner = [&](std::uint32_t vertex) { return at_vertex[vertex]; };
+    return extremal_lines(model, corner, limits, double(options.min_length * options.feature_size));
 }
 
 } // namespace limn

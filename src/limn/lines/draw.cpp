@@ -10,6 +10,8 @@
 #include "limn/lines/contour.h"
 #include "limn/lines/inside.h"
 #include "limn/lines/mesh_contour.h"
+#include "limn/lines/outline.h"
+#include "limn/lines/short_chains.h"
 #include "limn/lines/strokes.h"
 #include "limn/lines/visibility.h"
 
@@ -89,11 +91,18 @@ std::vector<TypedLines> collect_other_lines(const LineModel& model, const View& 
         if (options.has(type))
             lines.push_back({type, rule, extract()});
     };
-    add(LineType::highlight, VisibilityRule::surface, [&] { return std::move(found.highlights); });
+    const auto suggestive = [&](bool highlight) {
+        const SuggestiveOptions wanted = suggestive_options(options, features, highlight);
+        std::vector<Segment> segments = std::move(highlight ? found.highlights : found.suggestive);
+        if (wanted.limit > 0) // a line that is not longer than a feature is speckle
+            (wanted.fade > 0 ? fade_short_chains : drop_short_chains)(segments, 0.75 * double(features.feature_size));
+        return segments;
+    };
+    add(LineType::highlight, VisibilityRule::surface, [&] { return suggestive(true); });
     add(LineType::valley, VisibilityRule::surface, [&] { return features.valleys; });
     add(LineType::ridge, VisibilityRule::surface, [&] { return features.ridges; });
     add(LineType::apparent, VisibilityRule::surface, [&] { return extract_apparent_ridges(model, view, apparent_options(options, features)); });
-    add(LineType::suggestive, VisibilityRule::surface, [&] { return std::move(found.suggestive); });
+    add(LineType::suggestive, VisibilityRule::surface, [&] { return suggestive(false); });
     add(LineType::crease, VisibilityRule::edge, [&] { return features.creases; });
     add(LineType::border, VisibilityRule::edge, [&] { return features.borders; });
     add(LineType::mesh_contour, VisibilityRule::edge, [&] { return extract_mesh_contours(model, view); });
@@ -176,6 +185,12 @@ Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const Li
         measured.visibility_seconds += watch.lap();
         add_strokes(lines, line_chains, decided);
     }
+    if (options.has(LineType::outline))
+        for (Stroke& stroke : extract_outline(model, rays, camera)) {
+            measured.types[std::size_t(LineType::outline)].segments += stroke.points.size();
+            count(measured, stroke);
+            drawing.strokes.push_back(std::move(stroke));
+        }
     std::stable_sort(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.type < b.type; });
     measured.chain_seconds += watch.lap();
     return drawing;

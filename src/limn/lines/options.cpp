@@ -152,10 +152,10 @@ Need need_of(LineType type)
     case LineType::highlight:
     case LineType::ridge:
     case LineType::valley:
+    case LineType::apparent:
         return Need::derivative;
     case LineType::contour:
     case LineType::outline:
-    case LineType::apparent:
         return Need::curvature;
     default:
         return Need::normals;

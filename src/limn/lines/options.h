@@ -18,11 +18,11 @@ struct LineOptions {
     std::vector<LineType> lines = {LineType::contour, LineType::suggestive, LineType::crease, LineType::border};
     Hidden hidden = Hidden::remove;
     ExtractMethod method = ExtractMethod::exact;
-    double suggestive_limit = 0.01;  ///< t_d; 0 keeps every suggestive contour
-    double highlight_limit = 0.01;   ///< t_h
-    double ridge_limit = 1.0;        ///< ridges and valleys: smallest feature_size-scaled curvature
-    double apparent_limit = 1.0;     ///< apparent ridges: smallest feature_size-scaled view-dependent curvature
-    double fade = 2;                 ///< full ink from `fade` limits above a limit; 0: no fading
+    double suggestive_limit = 0.02;  ///< t_d; 0 keeps every suggestive contour, however short
+    double highlight_limit = 0.02;   ///< t_h
+    double ridge_limit = 0.5;        ///< ridges and valleys: smallest feature_size * curvature
+    double apparent_limit = 0.5;     ///< apparent ridges: smallest feature_size * view-dependent curvature
+    double fade = 5;                 ///< full ink from `fade` limits above a limit; 0: no fading
     double speed_limit = 0;          ///< drop suggestive lines faster than this (model radii per radius of camera motion); 0: off
     double crease_angle = 40;        ///< dihedral deviation from flat, degrees, from which an edge is a crease
     FeatureSize feature_size;

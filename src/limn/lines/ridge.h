@@ -12,7 +12,7 @@ enum class RidgeKind : std::uint8_t { ridge, valley };
 struct RidgeOptions {
     RidgeKind kind = RidgeKind::ridge;
     float feature_size = 0.05f; ///< in the model's frame, see feature_size_of()
-    float limit = 1;            ///< smallest feature_size * |k1|
+    float limit = 0.5f;         ///< smallest feature_size * |k1|
     float fade = 2;             ///< full ink from (1 + fade) limits; 0: no fading
     float sharpness = 0.1f;     ///< smallest -k'' / k^3 across the line: 0 on a cylinder, 3 at the vertex of a parabola
     float min_length = 1;       ///< shorter chains are noise and left out; feature sizes

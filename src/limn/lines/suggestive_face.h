@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "limn/formulas/formulas.h"
 #include "limn/lines/edge_zero.h"
 #include "limn/lines/line_model.h"
@@ -35,7 +37,7 @@ struct SuggestiveCorner {
     std::uint32_t vertex = 0;          ///< global: orders the ends of an edge
     float kr = 0;                      ///< radial curvature; negative exactly where `radially_concave` is set
     float strength = 0;                ///< g of section 2.8; positive where a line may run
-    float turn = 0, gradient = 0;      ///< speed = turn / gradient; both 0 where no speed limit is set
+    float turn = 0, gradient = 0;      ///< speed = |turn| / gradient; both 0 where no speed limit is set
 };
 
 inline SuggestiveCorner suggestive_corner(const formulas::RadialTerms& r, std::uint32_t vertex, float k1, float k2, const vec4& derivative,
@@ -71,24 +73,33 @@ inline SuggestiveEnd suggestive_end(const SuggestiveCorner& i, const SuggestiveC
             zero.mix(from.gradient, to.gradient)};
 }
 
+/// The place at parameter s between two ends: an end itself, bit for bit, where nothing is cut off.
+inline SuggestiveEnd between(const SuggestiveEnd& a, const SuggestiveEnd& b, float s)
+{
+    if (s <= 0 || s >= 1)
+        return s <= 0 ? a : b;
+    return {a.position + s * (b.position - a.position), a.strength + s * (b.strength - a.strength), a.turn + s * (b.turn - a.turn),
+            a.gradient + s * (b.gradient - a.gradient)};
+}
+
 /// The part of [0,1] between two ends where the line is drawn: strong and slow enough.
 inline Interval drawn_part(const SuggestiveEnd& a, const SuggestiveEnd& b, float speed_limit)
 {
-    const Interval strong = positive_interval(a.strength, b.strength);
-    if (!(speed_limit > 0))
-        return strong;
-    return intersection(strong, positive_interval(speed_limit * a.gradient - a.turn, speed_limit * b.gradient - b.turn));
+    Interval part = positive_interval(a.strength, b.strength);
+    if (speed_limit > 0)
+        for (const float sign : {1.0f, -1.0f}) // turning to either side
+            part = intersection(part, positive_interval(speed_limit * a.gradient + sign * a.turn, speed_limit * b.gradient + sign * b.turn));
+    return part;
 }
 
-/// Ink at parameter s between two ends: fades towards the limit, and from half the speed limit on.
-inline float suggestive_ink(const SuggestiveEnd& a, const SuggestiveEnd& b, float s, const SuggestiveOptions& options)
+/// Ink of a place on the line: fades towards the limit, and from half the speed limit on.
+inline float suggestive_ink(const SuggestiveEnd& end, const SuggestiveOptions& options)
 {
-    const float ink = formulas::faded_ink(a.strength + s * (b.strength - a.strength), options.fade * options.limit);
+    const float ink = formulas::faded_ink(end.strength, options.fade * options.limit);
     if (!(options.speed_limit > 0) || !(options.fade > 0))
         return ink;
-    const float turn = a.turn + s * (b.turn - a.turn);
-    const float most = options.speed_limit * (a.gradient + s * (b.gradient - a.gradient));
-    return ink * (most > 0 ? glm::clamp(2.0f - 2.0f * turn / most, 0.0f, 1.0f) : 0.0f);
+    const float most = options.speed_limit * end.gradient;
+    return ink * (most > 0 ? glm::clamp(2.0f - 2.0f * std::abs(end.turn) / most, 0.0f, 1.0f) : 0.0f);
 }
 
 /// The piece of suggestive line in a face whose corners differ in the sign of kr. Directed like contours: the side
@@ -107,14 +118,14 @@ inline bool trim_suggestive(const SuggestiveCorner (&corners)[3], const vec3 (&p
     const Interval part = drawn_part(a, b, options.speed_limit);
     if (part.empty())
         return false;
-    const bool whole_a = part.begin <= 0, whole_b = part.end >= 1;
-    segment.a = whole_a ? a.position : a.position + part.begin * (b.position - a.position);
-    segment.b = whole_b ? b.position : a.position + part.end * (b.position - a.position);
-    segment.ink_a = suggestive_ink(a, b, part.begin, options);
-    segment.ink_b = suggestive_ink(a, b, part.end, options);
+    const SuggestiveEnd first = between(a, b, part.begin), last = between(a, b, part.end);
+    segment.a = first.position;
+    segment.b = last.position;
+    segment.ink_a = suggestive_ink(first, options);
+    segment.ink_b = suggestive_ink(last, options);
     segment.face = face;
-    segment.edge_a = whole_a ? edges[enter] : none;
-    segment.edge_b = whole_b ? edges[leave] : none;
+    segment.edge_a = part.begin <= 0 ? edges[enter] : none;
+    segment.edge_b = part.end >= 1 ? edges[leave] : none;
     return true;
 }
 

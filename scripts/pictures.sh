@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Draws the pictures of README.md and docs/ again, with the limn of build/.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "$0")")/.."
+models=$(mktemp -d)
+trap 'rm -rf "$models"' EXIT
+
+sample() { build/limn sample "$1" --triangles "$2" --quiet -o "$models/$1.ply"; }
+picture() { # picture NAME MODEL OPTIONS...
+    build/limn draw "$models/$2.ply" --up-axis z --quiet -o "docs/images/$1.svg" "${@:3}"
+}
+
+for shape in bumpy-torus blob knot rings; do sample "$shape" 200000; done
+sample cylinder 5000
+
+picture bumpy-torus bumpy-torus --size 1200x900 --view 20,35
+picture contour blob --size 600x450 --lines contour
+picture suggestive blob --size 600x450 --lines contour,suggestive
+picture apparent blob --size 600x450 --lines contour,apparent
+picture ridges blob --size 600x450 --lines contour,ridge,valley --style coloured
+picture outline knot --size 600x450 --lines outline
+picture dark blob --size 600x450 --style dark
+picture toon blob --size 600x450 --style toon
+picture strokes knot --size 600x450 --stroke outline
+picture hidden rings --size 600x450 --lines contour --hidden dash
+picture sheet cylinder --size 800x600 --lines technical --hidden dash --ortho --view front --view top --view right --view iso

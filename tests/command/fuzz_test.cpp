@@ -1,0 +1,182 @@
+#include <random>
+
+#include "command/command.h"
+#include "limn/base/error.h"
+#include "limn/drawing/svg.h"
+#include "limn/geometry/read_mesh.h"
+#include "limn/lines/draw.h"
+#include "limn/lines/prepare.h"
+
+namespace limn::test {
+namespace {
+
+/// Triangles that have nothing to do with each other, with shared, equal, flat and infinite ones among them.
+Mesh random_soup(std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    const auto below = [&](std::uint32_t n) { return std::uint32_t(random() % n); };
+    Mesh mesh;
+    const std::uint32_t vertices = 3 + below(60), faces = 1 + below(120);
+    for (std::uint32_t i = 0; i < vertices; ++i) {
+        // A coarse grid, so that points and whole triangles coincide.
+        dvec3 p(below(9), below(9), below(9));
+        if (seed % 3 == 0)
+            p += dvec3(below(1000), below(1000), below(1000)) * 1e-3;
+        if (seed % 7 == 0 && below(40) == 0)
+            p.x = std::numeric_limits<double>::quiet_NaN();
+        if (seed % 11 == 0 && below(40) == 0)
+            p.y = 1e300;
+        mesh.positions.push_back(p);
+    }
+    for (std::uint32_t i = 0; i < faces; ++i)
+        mesh.triangles.push_back({below(vertices), below(vertices), below(vertices)});
+    return mesh;
+}
+
+LineOptions every_line()
+{
+    LineOptions options;
+    options.lines.clear();
+    for (int t = 0; t < line_type_count; ++t)
+        if (LineType(t) != LineType::outline)
+            options.lines.push_back(LineType(t));
+    return options;
+}
+
+/// Draws a mesh as the command does, in memory.
+std::string draw_svg(const Mesh& mesh, const LineOptions& options)
+{
+    const PreparedMesh prepared = prepare_mesh(mesh);
+    const PlacedSurface placed = prepared.placed();
+    const LineModel model = build_line_model({&placed, 1});
+    const Camera camera = Camera::framing(mesh.bounds(), {.size = {160, 120}});
+    return to_svg(draw_lines(model, build_ray_scene(model), camera, options));
+}
+
+/// "" for a drawing, the error's message otherwise.
+std::string try_file(const std::filesystem::path& path)
+{
+    try {
+        const ReadResult read = read_mesh_with_notes(path);
+        EXPECT_NE(draw_svg(read.mesh, LineOptions()).find("</svg>"), std::string::npos);
+        return "";
+    } catch (const Error::Read& error) {
+        return error.what();
+    }
+}
+
+// Checklist item 1 of the contour-lines specification.
+TEST(Fuzz, AThousandTriangleSoupsGiveADrawing)
+{
+    const TemporaryFolder folder;
+    const LineOptions every = every_line();
+    int drawings = 0;
+    for (std::uint32_t seed = 1; seed <= 1000; ++seed) {
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        write_text(folder / "soup.obj", obj_text(random_soup(seed)));
+        try {
+            const ReadResult read = read_mesh_with_notes(folder / "soup.obj");
+            ASSERT_NE(draw_svg(read.mesh, seed % 4 == 0 ? every : LineOptions()).find("</svg>"), std::string::npos);
+            ++drawings;
+        } catch (const Error::Read& error) { // only where every face uses a point that is nowhere
+            ASSERT_NE(std::string(error.what()).find("face"), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_GT(drawings, 980);
+}
+
+TEST(Fuzz, TheCommandDrawsSoupsAndSaysWhatIsUnclean)
+{
+    const TemporaryFolder folder;
+    for (std::uint32_t seed = 1001; seed <= 1020; ++seed) {
+        write_text(folder / "soup.obj", obj_text(random_soup(seed)));
+        const ProgramResult result = limn(fmt::format("draw {0}/soup.obj -o {0}/{1}.svg --size 160x120 --quiet", folder.path().string(), seed));
+        EXPECT_EQ(result.exit_code, 0) << "seed " << seed << ": " << result.errors;
+        EXPECT_EQ(line_count(result.errors), 1) << "seed " << seed << ": " << result.errors;
+        EXPECT_NE(read_text(folder / fmt::format("{}.svg", seed)).find("</svg>"), std::string::npos) << "seed " << seed;
+    }
+}
+
+/// The same torus in every format that Limn reads itself.
+std::vector<std::pair<std::string, std::string>> torus_files()
+{
+    const Mesh mesh = make_shape({.name = "torus", .triangles = 400}).mesh;
+    const auto append = [](std::string& bytes, const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    std::string ply = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+                                  "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                                  mesh.positions.size(), mesh.triangles.size());
+    for (const dvec3& p : mesh.positions)
+        append(ply, vec3(p));
+    for (const uvec3& t : mesh.triangles) {
+        append(ply, std::uint8_t(3));
+        append(ply, t);
+    }
+    std::string stl(80, ' ');
+    append(stl, std::uint32_t(mesh.triangles.size()));
+    for (const uvec3& t : mesh.triangles) {
+        append(stl, vec3(0));
+        for (int k = 0; k < 3; ++k)
+            append(stl, vec3(mesh.positions[t[k]]));
+        append(stl, std::uint16_t(0));
+    }
+    return {{"obj", obj_text(mesh)}, {"ply", ply}, {"stl", stl}};
+}
+
+TEST(Fuzz, TruncatedFilesAreRefusedByNameOrDrawn)
+{
+    const TemporaryFolder folder;
+    std::mt19937 random(1);
+    const auto models = torus_files();
+    for (int i = 0; i < 200; ++i) {
+        const auto& [ending, whole] = models[std::size_t(i) % models.size()];
+        const std::size_t length = random() % whole.size();
+        const std::filesystem::path file = folder / ("cut." + ending);
+        write_text(file, whole.substr(0, length));
+        const std::string message = try_file(file);
+        // Text has no stated length: what was cut between two lines is a smaller model.
+        EXPECT_TRUE(ending == "obj" || !message.empty()) << ending << " cut to " << length << " bytes was drawn";
+        EXPECT_TRUE(message.empty() || message.rfind(file.string(), 0) == 0) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+}
+
+TEST(Fuzz, FilesWithFlippedBytesAreRefusedByNameOrDrawn)
+{
+    const TemporaryFolder folder;
+    std::mt19937 random(2);
+    const auto models = torus_files();
+    for (int i = 0; i < 200; ++i) {
+        const auto& [ending, whole] = models[std::size_t(i) % models.size()];
+        std::string bytes = whole;
+        for (int flips = 1 + int(random() % 8); flips > 0; --flips)
+            bytes[random() % bytes.size()] ^= char(1 << random() % 8);
+        const std::filesystem::path file = folder / ("flipped." + ending);
+        write_text(file, bytes);
+        const std::string message = try_file(file);
+        EXPECT_TRUE(message.empty() || message.rfind(file.string(), 0) == 0) << "file " << i << ": " << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+}
+
+TEST(Fuzz, TheCommandLeavesNoHalfFileForBrokenOnes)
+{
+    const TemporaryFolder folder;
+    std::mt19937 random(3);
+    const auto models = torus_files();
+    for (int i = 0; i < 12; ++i) {
+        const auto& [ending, whole] = models[std::size_t(i) % models.size()];
+        std::string bytes = whole.substr(0, whole.size() / 2 + random() % (whole.size() / 2));
+        bytes[random() % bytes.size()] ^= 0x40;
+        const std::string in = (folder / ("broken." + ending)).string(), out = (folder / "out.svg").string();
+        write_text(in, bytes);
+        const ProgramResult result = limn("draw " + in + " -o " + out + " --size 160x120");
+        const bool drawn = std::filesystem::exists(out);
+        EXPECT_EQ(result.exit_code, drawn ? 0 : 1) << result.errors;
+        EXPECT_TRUE(drawn ? read_text(out).find("</svg>") != std::string::npos : line_count(result.errors) == 1) << result.errors;
+        EXPECT_NE(result.errors.find(in), std::string::npos) << result.errors;
+        std::filesystem::remove(out);
+    }
+}
+
+} // namespace
+} // namespace limn::test
