@@ -24,19 +24,19 @@ struct Reach {
 };
 
 /// The slopes of the frustum's sides without the margin.
-dvec2 slopes(const Camera& camera)
+dvec2 slopes(const Camera& camera, double margin)
 {
     if (camera.orthographic)
         return dvec2(0);
-    const double y = std::tan(glm::radians(camera.fov_degrees) / 2) * (1 - 2 * Framing().margin);
+    const double y = std::tan(glm::radians(camera.fov_degrees) / 2) * (1 - 2 * margin);
     return {y * camera.size.x / camera.size.y, y};
 }
 
-Reach reach_of(const LineModel& model, const Camera& camera)
+Reach reach_of(const LineModel& model, const Camera& camera, double margin)
 {
     const vec3 right(camera.right()), above(camera.above()), towards(-camera.forward());
     const vec3 middle = model.from_world(camera.look);
-    const vec2 slope(slopes(camera));
+    const vec2 slope(slopes(camera, margin));
     const auto reach_of_block = [&](std::size_t begin, std::size_t end, std::vector<Reach>& out) {
         vec4 most(-std::numeric_limits<float>::infinity());
         for (std::size_t i = begin; i < end; ++i) {
@@ -66,20 +66,19 @@ void centre(Camera& camera, Reach& reach)
 
 } // namespace
 
-void fit_cameras(std::vector<Camera>& cameras, const LineModel& model)
+void fit_cameras(std::vector<Camera>& cameras, const LineModel& model, double margin)
 {
     constexpr double least = 1e-3; // of the model's radius: a point or a line still gets a picture
     double distance = least * model.scale, height = 2 * least * model.scale;
     for (Camera& camera : cameras) {
-        Reach reach = reach_of(model, camera);
+        Reach reach = reach_of(model, camera, margin);
         if (cameras.size() == 1)
             centre(camera, reach);
         const double x = std::max(reach.right, reach.left), y = std::max(reach.above, reach.below);
-        const dvec2 slope = slopes(camera);
+        const dvec2 slope = slopes(camera, margin);
         if (!camera.orthographic)
             distance = std::max({distance, x / slope.x, y / slope.y});
-        height =
-            std::max({height, 2 * y / (1 - 2 * Framing().margin), 2 * x * camera.size.y / (camera.size.x * (1 - 2 * Framing().margin))});
+        height = std::max({height, 2 * y / (1 - 2 * margin), 2 * x * camera.size.y / (camera.size.x * (1 - 2 * margin))});
     }
     for (Camera& camera : cameras) {
         if (!camera.orthographic)

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double css_mm_per_pixel = 25.4 / 96; // the pixel of SVG and CSS
 constexpr ivec2 default_size = {1600, 1200};
+constexpr double sheet_margin = 0.11; // leaves room for a caption
 constexpr int largest_side = 1 << 15;
 
 ivec2 parse_size(const std::string& text)
@@ -130,7 +131,7 @@ std::vector<Camera> framed_cameras(const ViewOptions& options, const Scene& scen
                                                          .size = picture,
                                                          .fov_degrees = options.fov_degrees,
                                                          .orthographic = options.orthographic || !options.scale.empty()}));
-    fit_cameras(cameras, scene.model);
+    fit_cameras(cameras, scene.model, options.views.size() > 1 ? sheet_margin : Framing().margin);
     return cameras;
 }
 

@@ -119,11 +119,11 @@ TEST_F(Draw, TheModelFillsThePictureUpToTheMargin)
         double low = 1e9, high = -1e9;
         for (const Json& stroke : drawing["strokes"])
             for (const Json& point : stroke["points"]) {
-                low = std::min(low, point[0].get<double>());
-                high = std::max(high, point[0].get<double>());
+                low = std::min(low, point[1].get<double>());
+                high = std::max(high, point[1].get<double>());
             }
-        EXPECT_NEAR(low, 0.06 * 400, 4) << projection;
-        EXPECT_NEAR(high, 0.94 * 400, 4) << projection;
+        EXPECT_NEAR(low, 0.06 * 300, 3) << projection;
+        EXPECT_NEAR(high, 0.94 * 300, 3) << projection;
     }
 }
 

@@ -33,13 +33,13 @@ Mesh random_soup(std::uint32_t seed)
     return mesh;
 }
 
+/// Not inlined: g++ 12 takes the members of a default-made one for uninitialised.
+[[gnu::noinline]] LineOptions usual_lines() { return {}; }
+
 LineOptions every_line()
 {
-    LineOptions options;
-    options.lines.clear();
-    for (int t = 0; t < line_type_count; ++t)
-        if (LineType(t) != LineType::outline)
-            options.lines.push_back(LineType(t));
+    LineOptions options = usual_lines();
+    line_option_table().front().set(options, "all,mesh-contour");
     return options;
 }
 
@@ -58,7 +58,8 @@ std::string try_file(const std::filesystem::path& path)
 {
     try {
         const ReadResult read = read_mesh_with_notes(path);
-        EXPECT_NE(draw_svg(read.mesh, LineOptions()).find("</svg>"), std::string::npos);
+        const LineOptions usual = usual_lines();
+        EXPECT_NE(draw_svg(read.mesh, usual).find("</svg>"), std::string::npos);
         return "";
     } catch (const Error::Read& error) {
         return error.what();
@@ -69,14 +70,14 @@ std::string try_file(const std::filesystem::path& path)
 TEST(Fuzz, AThousandTriangleSoupsGiveADrawing)
 {
     const TemporaryFolder folder;
-    const LineOptions every = every_line();
+    const LineOptions usual = usual_lines(), every = every_line();
     int drawings = 0;
     for (std::uint32_t seed = 1; seed <= 1000; ++seed) {
         SCOPED_TRACE(fmt::format("seed {}", seed));
         write_text(folder / "soup.obj", obj_text(random_soup(seed)));
         try {
             const ReadResult read = read_mesh_with_notes(folder / "soup.obj");
-            ASSERT_NE(draw_svg(read.mesh, seed % 4 == 0 ? every : LineOptions()).find("</svg>"), std::string::npos);
+            ASSERT_NE(draw_svg(read.mesh, seed % 4 == 0 ? every : usual).find("</svg>"), std::string::npos);
             ++drawings;
         } catch (const Error::Read& error) { // only where every face uses a point that is nowhere
             ASSERT_NE(std::string(error.what()).find("face"), std::string::npos) << error.what();

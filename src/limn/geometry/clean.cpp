@@ -13,7 +13,12 @@ constexpr std::size_t grain = 1 << 15;
 
 std::uint32_t lowest(const uvec3& t) { return std::min({t.x, t.y, t.z}); }
 
-bool is_finite(const dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+/// Finite, and so are its square and cube, which lengths, areas and volumes need.
+bool is_finite(const dvec3& p)
+{
+    constexpr double most = 1e100;
+    return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
+}
 
 /// A face as its two vertices after the lowest one, and its number.
 struct Spoke {

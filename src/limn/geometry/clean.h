@@ -6,7 +6,7 @@ namespace limn {
 
 /// How many faces were dropped, and why. A face is counted once, for the first reason that holds.
 struct DroppedFaces {
-    std::size_t not_finite = 0; ///< a corner is NaN or infinite
+    std::size_t not_finite = 0; ///< a corner is NaN, infinite or beyond 1e100
     std::size_t repeated = 0;   ///< two corners are the same vertex
     std::size_t duplicate = 0;  ///< an earlier face has the same vertices in the same direction
     std::size_t total() const { return not_finite + repeated + duplicate; }

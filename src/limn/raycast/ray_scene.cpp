@@ -1,5 +1,6 @@
 #include "limn/raycast/ray_scene.h"
 
+#include <cmath>
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
@@ -35,6 +36,14 @@ RTCRay to_embree(const Ray& ray)
     r.tnear = ray.near, r.tfar = ray.far;
     r.mask = 0xFFFFFFFFu;
     return r;
+}
+
+/// Embree ends the process over rays that hold NaN or numbers near the end of float. They meet nothing.
+bool traceable(const Ray& ray)
+{
+    constexpr float most = 1e18f;
+    const auto fits = [](const vec3& v) { return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most; };
+    return fits(ray.origin) && fits(ray.direction) && !std::isnan(ray.near) && !std::isnan(ray.far);
 }
 
 } // namespace
@@ -83,6 +92,8 @@ RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Hit RayScene::closest(const Ray& ray) const
 {
+    if (!traceable(ray))
+        return {};
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit query = {};
@@ -96,6 +107,8 @@ Hit RayScene::closest(const Ray& ray) const
 
 bool RayScene::occluded_by(const Ray& ray, bool (*accept)(void*, const Hit&), void* context) const
 {
+    if (!traceable(ray))
+        return false;
     FilterContext filtered = {{}, accept, context};
     rtcInitIntersectContext(&filtered.base);
     filtered.base.filter = filter;
