@@ -273,7 +273,7 @@ TEST(Visibility, BumpyTorusAndBlobAreRightWithExactNormals)
 TEST(Visibility, BumpyTorusAndBlobAreRightWithJets)
 {
     for (const char* name : {"bumpy-torus", "blob"}) {
-        const Score score = score_of({name, 50000, 6, false, true});
+        const Score score = score_of({name, 50000, 10, false, true});
         EXPECT_LE(score.wrong_percent(), 0.3) << name;
         EXPECT_LE(score.gaps, 1) << name;
     }
