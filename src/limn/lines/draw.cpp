@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "limn/drawing/simplify.h"
 #include "limn/lines/apparent.h"
 #include "limn/lines/clip.h"
 #include "limn/lines/cluster_extract.h"
@@ -37,6 +38,21 @@ struct TypedLines {
     VisibilityRule rule;
     std::vector<Segment> segments;
 };
+
+/// Lines inside the shape that show too little ink to be read as a line. What bounds the shape is never left out.
+bool is_speckle(const Stroke& stroke, const LineOptions& options)
+{
+    switch (stroke.type) {
+    case LineType::suggestive:
+    case LineType::highlight:
+    case LineType::ridge:
+    case LineType::valley:
+    case LineType::apparent:
+        return ink_in_picture(stroke) < options.min_length;
+    default:
+        return false;
+    }
+}
 
 SuggestiveOptions suggestive_options(const LineOptions& options, const LineFeatures& features, bool highlight)
 {
@@ -158,9 +174,11 @@ Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const Li
         wanted.keep_hidden = options.hidden != Hidden::remove;
         std::vector<Stroke> strokes = make_strokes(context, lines.segments, chains, decided, wanted);
         measured.types[std::size_t(lines.type)].segments = lines.segments.size();
-        for (Stroke& stroke : strokes) {
+        for (const Stroke& stroke : strokes) {
+            if (is_speckle(stroke, options))
+                continue;
             count(measured, stroke);
-            drawing.strokes.push_back(std::move(stroke));
+            drawing.strokes.push_back(simplify(stroke, {options.tolerance}));
         }
         measured.chain_seconds += watch.lap();
     };

@@ -136,7 +136,7 @@ OptionTable<LineOptions> make_table()
         number_row("speed-limit", "", 0, huge, "drop suggestive lines that slide faster than this; 0 keeps all", &O::speed_limit),
         number_row("crease-angle", "degrees", 0, 180, "bend of an edge from which it is a crease", &O::crease_angle),
         feature_size_row(),
-        number_row("min-length", "px", 0, huge, "drop shorter strokes; contours and borders stay", &O::min_length),
+        number_row("min-length", "px", 0, huge, "drop lines with less ink than this length of full line; contours, borders and creases stay", &O::min_length),
         number_row("tolerance", "px", 0, huge, "how far simplified strokes may stray", &O::tolerance),
         number_row("sample-fraction", "", 0, 1, "stochastic: part of the candidate faces looked at", &O::sample_fraction),
         number_row("discovery", "", 0, 1, "stochastic: part of the seeds traded for random faces", &O::discovery),

@@ -26,8 +26,8 @@ struct LineOptions {
     double speed_limit = 0;          ///< drop suggestive lines faster than this (model radii per radius of camera motion); 0: off
     double crease_angle = 40;        ///< dihedral deviation from flat, degrees, from which an edge is a crease
     FeatureSize feature_size;
-    double min_length = 0;           ///< drop strokes shorter than this on screen, px (contours and borders are kept)
-    double tolerance = 0.25;         ///< simplification of strokes, px
+    double min_length = 10;          ///< drop strokes with less ink than a full line of this length, px (contours, borders and creases stay)
+    double tolerance = 0.1;          ///< simplification of strokes, px
     double sample_fraction = 0.01;   ///< stochastic: part of the candidate faces tested
     double discovery = 0.2;          ///< stochastic: part of the seeds traded for random faces
     std::uint32_t seed = 1;          ///< stochastic

@@ -123,6 +123,18 @@ private:
     bool closed_;
 };
 
+/// Sum of length * weight(i, j) over the pieces between points i and j.
+template <class Weight> double sum_over_pieces(const Stroke& stroke, Weight&& weight)
+{
+    double sum = 0;
+    const std::size_t n = stroke.points.size();
+    for (std::size_t i = stroke.closed ? 0 : 1; i < n; ++i) {
+        const std::size_t before = (i + n - 1) % n;
+        sum += weight(before, i) * glm::distance(stroke.points[before], stroke.points[i]);
+    }
+    return sum;
+}
+
 } // namespace
 
 std::vector<Stroke> make_strokes(const ViewContext& context, std::span<const Segment> segments, const Chains& chains,
@@ -141,10 +153,12 @@ std::vector<Stroke> make_strokes(const ViewContext& context, std::span<const Seg
 
 double length_in_picture(const Stroke& stroke)
 {
-    double length = 0;
-    for (std::size_t i = 1; i < stroke.points.size(); ++i)
-        length += glm::distance(stroke.points[i - 1], stroke.points[i]);
-    return length + (stroke.closed ? glm::distance(stroke.points.back(), stroke.points.front()) : 0);
+    return sum_over_pieces(stroke, [](std::size_t, std::size_t) { return 1.0; });
+}
+
+double ink_in_picture(const Stroke& stroke)
+{
+    return sum_over_pieces(stroke, [&](std::size_t i, std::size_t j) { return 0.5 * (double(stroke.ink[i]) + double(stroke.ink[j])); });
 }
 
 } // namespace limn

@@ -22,4 +22,7 @@ std::vector<Stroke> make_strokes(const ViewContext& context, std::span<const Seg
 /// Length of a stroke in the picture, pixels.
 double length_in_picture(const Stroke& stroke);
 
+/// Length of a stroke in the picture where each piece counts by its ink, pixels.
+double ink_in_picture(const Stroke& stroke);
+
 } // namespace limn
