@@ -1,5 +1,6 @@
 #include "limn/surface/surface_point.h"
 
+#include <tuple>
 #include <array>
 #include <cmath>
 #include <utility>
