@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "command/command.h"
 
 #include "limn/drawing/png.h"

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "limn/drawing/trace.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // One text for two languages: what the library compiles as C++ must also be GLSL.
+#include <gtest/gtest.h>
+
 #include <filesystem>
 
 #include "support/support.h"

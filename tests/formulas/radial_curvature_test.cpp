@@ -1,5 +1,7 @@
 // Checklist items 5 and 19 of the contour-lines specification: radial curvature, its derivatives and the speeds of lines
 // on the analytic torus, against finite differences. The formulas run in float; the differences in double.
+#include <gtest/gtest.h>
+
 #include "limn/formulas/formulas.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "limn/lines/regions.h"
 
 #include <cmath>

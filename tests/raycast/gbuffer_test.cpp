@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "limn/raycast/gbuffer.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "limn/raycast/shading.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "limn/surface/shape_truth.h"
 
 #include <cmath>

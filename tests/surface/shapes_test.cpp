@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "limn/surface/shapes.h"
 
 #include <cmath>
