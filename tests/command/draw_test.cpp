@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "command/command.h"

@@ -1,3 +1,6 @@
+#include <functional>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "limn/base/error.h"

@@ -4,6 +4,7 @@
 
 #include "limn/formulas/formulas.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limn/base/random.h"

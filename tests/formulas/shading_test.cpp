@@ -1,5 +1,7 @@
 #include "limn/formulas/formulas.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace limn {

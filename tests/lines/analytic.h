@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 #include "limn/lines/line_model.h"
 #include "limn/lines/segment.h"

@@ -1,5 +1,6 @@
 #include "limn/lines/cluster_extract.h"
 
+#include <algorithm>
 #include <cstring>
 #include <random>
 

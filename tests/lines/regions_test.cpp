@@ -2,6 +2,7 @@
 
 #include "limn/lines/regions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <chrono>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "limn/lines/suggestive.h"

@@ -1,6 +1,7 @@
 #include "limn/lines/stochastic.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 

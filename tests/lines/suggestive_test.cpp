@@ -1,5 +1,7 @@
 #include "limn/lines/suggestive.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "limn/lines/trim.h"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>

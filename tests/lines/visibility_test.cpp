@@ -1,8 +1,11 @@
 // Visibility and chaining of contours against the exact shapes: section 7 of the line-visibility specification and checklist
 // item 28 of the contour-lines specification.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numbers>
 

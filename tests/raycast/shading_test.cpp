@@ -2,6 +2,7 @@
 
 #include "limn/raycast/shading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>

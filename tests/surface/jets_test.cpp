@@ -1,4 +1,8 @@
 // Jet fits: sections 3, 4 and 6.3 of the curvature-jets specification; items 3, 4 and 13 of the contour-lines checklist.
+
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "limn/base/parallel.h"

@@ -2,6 +2,7 @@
 
 #include "limn/surface/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>

@@ -1,4 +1,7 @@
 // Smoothing by tensor diffusion: section 2.4 of the contour-lines specification.
+
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "limn/surface/estimate.h"

@@ -1,4 +1,8 @@
 // The per-face tensor method: section 2.4 and items 2, 3, 4 of the contour-lines checklist.
+
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "limn/base/parallel.h"

@@ -1,4 +1,8 @@
 // Finite results on meshes that no one would call clean: items 1 and 34 of the contour-lines checklist.
+
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "limn/surface/estimate.h"

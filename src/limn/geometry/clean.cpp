@@ -1,5 +1,6 @@
 #include "limn/geometry/clean.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limn/base/parallel.h"

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "limn/geometry/split_corners.h"
 
+#include <algorithm>
 #include <tuple>
 
 #include "limn/base/parallel.h"

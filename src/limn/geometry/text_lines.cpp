@@ -1,5 +1,6 @@
 #include "limn/geometry/text_lines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>

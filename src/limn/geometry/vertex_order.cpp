@@ -1,5 +1,7 @@
 #include "limn/geometry/vertex_order.h"
 
+#include <algorithm>
+
 #include "limn/base/parallel.h"
 #include "limn/geometry/radix_sort.h"
 #include "limn/geometry/renumber.h"

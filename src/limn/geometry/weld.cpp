@@ -1,5 +1,6 @@
 #include "limn/geometry/weld.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,7 @@
 #include "limn/lines/apparent.h"
 
+#include <algorithm>
+
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
 #include "limn/formulas/formulas.h"

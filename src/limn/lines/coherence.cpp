@@ -1,5 +1,6 @@
 #include "limn/lines/coherence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

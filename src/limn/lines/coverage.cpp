@@ -1,5 +1,6 @@
 #include "limn/lines/coverage.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 

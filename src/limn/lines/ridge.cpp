@@ -1,5 +1,7 @@
 #include "limn/lines/ridge.h"
 
+#include <algorithm>
+
 #include "limn/base/error.h"
 #include "limn/lines/extremal.h"
 

@@ -1,5 +1,7 @@
 #include "limn/surface/estimate.h"
 
+#include <fmt/format.h>
+
 namespace limn {
 namespace {
 

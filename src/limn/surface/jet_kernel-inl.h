@@ -1,6 +1,7 @@
 // The jet fit on vectors: one lane for each vertex. Included by jet_fit.cpp once for each instruction set.
 // Letters as in section 3 of the curvature-jets specification.
 
+#include <algorithm>
 #include <cmath>
 
 #include "limn/surface/jet_fit.h"

@@ -1,5 +1,7 @@
 #include "limn/surface/jets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <tbb/enumerable_thread_specific.h>

@@ -1,5 +1,7 @@
 #include "limn/surface/neighbours.h"
 
+#include <algorithm>
+
 #include "limn/base/parallel.h"
 #include "limn/surface/tangent.h"
 

@@ -1,6 +1,7 @@
 #include "limn/surface/ring_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <tbb/enumerable_thread_specific.h>

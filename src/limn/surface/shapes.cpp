@@ -1,6 +1,7 @@
 #include "limn/surface/shapes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

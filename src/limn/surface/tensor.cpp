@@ -1,5 +1,8 @@
 #include "limn/surface/tensor.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
