@@ -18,6 +18,7 @@ constexpr int most_rings = 5;
 constexpr int widest = 6; ///< for the size of the derivative: fewer rings inflate it
 constexpr double wanted_error = 0.025, noisy_error = 0.1;
 constexpr double most_turn = 0.7, coarse_turn = 1;
+constexpr double detail_growth = 2.5;
 
 /// Vertices with a normal, drawn with a fixed seed, ascending.
 std::vector<std::uint32_t> sample_vertices(const JetContext& context)
@@ -152,6 +153,13 @@ RingChoice clean_choice(Trials& trials, int rings)
     return choice;
 }
 
+/// True where the heights stray from the fit because the surface has more detail than it, not because of noise: with one
+/// more ring the deviation grows by (3/2)^5 then, and stays the same with noise. Wider support would only blur the detail.
+bool lacks_resolution(Trials& trials)
+{
+    return trials.at(3).noise > detail_growth * trials.at(2).noise && trials.at(2).turn <= coarse_turn;
+}
+
 RingChoice noisy_choice(Trials& trials)
 {
     RingChoice choice = clean_choice(trials, most_allowed_rings(trials));
@@ -174,6 +182,11 @@ RingChoice predict_rings(const JetContext& context, int rings)
 RingChoice choose_rings(const JetContext& context)
 {
     Trials trials(context);
+    if (trials.error(2) > wanted_error && lacks_resolution(trials)) {
+        RingChoice choice = clean_choice(trials, 2);
+        choice.reliable = true;
+        return choice;
+    }
     const int best = best_rings(trials);
     return trials.error(best) <= noisy_error ? clean_choice(trials, best) : noisy_choice(trials);
 }

@@ -23,6 +23,8 @@ struct RingChoice {
 /// - Clean: the fewest rings (at most 5) with a predicted error up to 0.025, else those with the smallest, if up to 0.1.
 ///   Degree 4; R = 2 with the interpolating fit, which is what clean double positions get; R >= 3 with the free fit
 ///   (float32 positions of dense meshes).
+/// - Finely detailed: where the deviation from R = 2 to R = 3 grows by more than 2.5, the surface has more detail than the fit
+///   and no noise to speak of: R = 2 with the interpolating fit, whatever the prediction, which counts the detail as noise.
 /// - Noisy or coarse: a scan, or a mesh whose features are not resolved. Degree 3, free, the most rings allowed up to 5
 ///   (many on a scan, 2 on a coarse model), normals from the faces, which do not round the outline off, and 4, 8 or 16
 ///   smoothing passes on the derivative. Around passes/2 times less error was measured after them.
