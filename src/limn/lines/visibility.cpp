@@ -116,33 +116,44 @@ SegmentCuts find_cuts(const ViewContext& c, std::span<const Segment> segments, c
     return found;
 }
 
+/// The places at which link l is cut, from a to b.
+void find_places(const ViewContext& c, VisibilityRule rule, const Segment& s, const Link& link, std::uint32_t l, const LinkCurvature& curvature,
+                 const SegmentCuts& cuts, std::vector<Place>& places)
+{
+    places.clear();
+    for (std::uint32_t k = cuts.start[link.segment]; k < cuts.start[link.segment + 1]; ++k) {
+        const Cut& cut = cuts.cuts[k];
+        places.push_back(link.reversed ? Place{cut.t, cut.may_appear, cut.may_hide, false} : Place{cut.t, cut.may_hide, cut.may_appear, false});
+    }
+    if (!curvature.enter.empty() && (curvature.enter[l] < 0) != (curvature.leave[l] < 0)) {
+        const float t = curvature.enter[l] / (curvature.enter[l] - curvature.leave[l]);
+        places.push_back({link.reversed ? 1 - t : t, true, true, true});
+    }
+    if (rule == VisibilityRule::surface)
+        if (const float t = turning_point(c, s); t > 0 && t < 1)
+            places.push_back({t, true, true, true});
+}
+
 ChainElements split_chains(const ViewContext& c, VisibilityRule rule, std::span<const Segment> segments, const Chains& chains,
                            const LinkCurvature& curvature, const SegmentCuts& cuts)
 {
     ChainElements result;
-    result.elements.reserve(chains.links.size() + cuts.cuts.size());
-    std::vector<Place> places;
-    for (std::size_t chain = 0; chain < chains.size(); ++chain) {
-        result.start.push_back(std::uint32_t(result.elements.size()));
-        for (std::uint32_t l = chains.start[chain]; l < chains.start[chain + 1]; ++l) {
+    std::vector<std::uint32_t> elements_before(chains.links.size() + 1, 0); // per link, once its counts are summed
+    result.elements = parallel_collect<Element>(chains.links.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<Element>& out) {
+        std::vector<Place> places;
+        for (std::size_t l = begin; l < end; ++l) {
             const Link& link = chains.links[l];
             const Segment& s = segments[link.segment];
-            places.clear();
-            for (std::uint32_t k = cuts.start[link.segment]; k < cuts.start[link.segment + 1]; ++k) {
-                const Cut& cut = cuts.cuts[k];
-                places.push_back(link.reversed ? Place{cut.t, cut.may_appear, cut.may_hide, false} : Place{cut.t, cut.may_hide, cut.may_appear, false});
-            }
-            if (!curvature.enter.empty() && (curvature.enter[l] < 0) != (curvature.leave[l] < 0)) {
-                const float t = curvature.enter[l] / (curvature.enter[l] - curvature.leave[l]);
-                places.push_back({link.reversed ? 1 - t : t, true, true, true});
-            }
-            if (rule == VisibilityRule::surface)
-                if (const float t = turning_point(c, s); t > 0 && t < 1)
-                    places.push_back({t, true, true, true});
-            split_link(c, s, link, places, {0, false, false, false}, result.elements);
+            const std::size_t before = out.size();
+            find_places(c, rule, s, link, std::uint32_t(l), curvature, cuts, places);
+            split_link(c, s, link, places, {0, false, false, false}, out);
+            elements_before[l + 1] = std::uint32_t(out.size() - before);
         }
-    }
-    result.start.push_back(std::uint32_t(result.elements.size()));
+    });
+    std::partial_sum(elements_before.begin(), elements_before.end(), elements_before.begin());
+    result.start.reserve(chains.start.size());
+    for (const std::uint32_t link : chains.start)
+        result.start.push_back(elements_before[link]);
     return result;
 }
 
