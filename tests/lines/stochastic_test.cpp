@@ -8,8 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "limn/lines/contour.h"
+#include "limn/lines/draw.h"
+#include "limn/lines/prepare.h"
+#include "limn/lines/strokes.h"
 #include "limn/lines/suggestive_face.h"
 #include "lines/analytic.h"
+#include "lines/edge_shapes.h"
 
 namespace limn {
 namespace {
@@ -199,6 +203,67 @@ TEST(Stochastic, SeedsWinWhenTheCameraIsSlowAndRandomFacesWhenItIsFast)
         EXPECT_GT(recall(scene, 0.5, 0, 0.003), 1.2 * recall(scene, 0.5, 0.8, 0.003)) << name;
         EXPECT_LT(recall(scene, 60, 0, 0.003), 0.8 * recall(scene, 60, 0.8, 0.003)) << name;
     }
+}
+
+bool same(const Drawing& a, const Drawing& b)
+{
+    return std::equal(a.strokes.begin(), a.strokes.end(), b.strokes.begin(), b.strokes.end(),
+                      [](const Stroke& x, const Stroke& y) { return x.type == y.type && x.points == y.points && x.ink == y.ink; });
+}
+
+double ink(const Drawing& drawing)
+{
+    double sum = 0;
+    for (const Stroke& s : drawing.strokes)
+        sum += ink_in_picture(s);
+    return sum;
+}
+
+/// A whole drawing of one view by the stochastic method.
+struct Sampled {
+    explicit Sampled(const LineModel& drawn) : model(drawn), rays(build_ray_scene(model))
+    {
+        options.lines.push_back(LineType::highlight);
+        camera.eye = {3, 0.8, 1};
+        camera.size = {800, 600};
+    }
+    Drawing draw(ExtractMethod method, double fraction, std::uint32_t seed = 1)
+    {
+        options.method = method;
+        options.sample_fraction = fraction;
+        options.seed = seed;
+        return draw_lines(model, rays, camera, options);
+    }
+    const LineModel& model;
+    RayScene rays;
+    LineOptions options;
+    Camera camera;
+};
+
+// Checklist 20, through draw_lines.
+TEST(StochasticDrawing, WithEveryFaceIsTheExactOne)
+{
+    const Scene blob("blob", 20000);
+    const PreparedMesh cut = prepare_mesh(cylinder(64));
+    for (const LineModel& model : {blob.model, model_of(cut.mesh, cut.surface)}) {
+        Sampled sampled(model);
+        const Drawing exact = sampled.draw(ExtractMethod::exact, 1);
+        ASSERT_GT(exact.strokes.size(), 0u);
+        EXPECT_TRUE(same(sampled.draw(ExtractMethod::stochastic, 1), exact));
+    }
+}
+
+TEST(StochasticDrawing, FromFewFacesHasMostOfTheInkAndRepeatsFromItsSeed)
+{
+    const Scene blob("blob", 50000);
+    Sampled sampled(blob.model);
+    const double all = ink(sampled.draw(ExtractMethod::exact, 1));
+    const Drawing some = sampled.draw(ExtractMethod::stochastic, 0.01), few = sampled.draw(ExtractMethod::stochastic, 0.0002);
+    EXPECT_GT(ink(some), 0.9 * all);
+    EXPECT_LT(ink(few), 0.9 * all);
+    EXPECT_GT(ink(few), 0.1 * all);
+    EXPECT_TRUE(same(few, sampled.draw(ExtractMethod::stochastic, 0.0002)));
+    EXPECT_FALSE(same(few, sampled.draw(ExtractMethod::stochastic, 0.0002, 2)));
 }
 
 // Checklist 20: following a line takes no stack.

@@ -13,6 +13,7 @@
 #include "limn/lines/mesh_contour.h"
 #include "limn/lines/outline.h"
 #include "limn/lines/short_chains.h"
+#include "limn/lines/stochastic.h"
 #include "limn/lines/strokes.h"
 #include "limn/lines/visibility.h"
 
@@ -74,10 +75,29 @@ ApparentOptions apparent_options(const LineOptions& options, const LineFeatures&
     return result;
 }
 
+/// Those from random faces.
+ClusterLines extract_view_lines_stochastic(const LineModel& model, const View& view, const LineFeatures& features, const LineOptions& options)
+{
+    const StochasticOptions sampling = {options.sample_fraction, options.discovery};
+    ClusterLines lines;
+    lines.contours = draw_contours_stochastic(model, view, sampling, options.seed);
+    append_crease_outlines(model, view, lines.contours);
+    const auto suggestive = [&](bool highlight) {
+        return draw_suggestive_stochastic(model, view, features.suggestive, suggestive_options(options, features, highlight), sampling, options.seed);
+    };
+    if (options.has(LineType::suggestive))
+        lines.suggestive = suggestive(false);
+    if (options.has(LineType::highlight))
+        lines.highlights = suggestive(true);
+    return lines;
+}
+
 /// The lines that depend on the view and are found face by face. Contours are always among them, since they hide the others.
 ClusterLines extract_view_lines(const LineModel& model, const View& view, std::span<const float> facing, const LineFeatures& features,
                                 const LineOptions& options, ClusterHistory* history)
 {
+    if (options.method == ExtractMethod::stochastic)
+        return extract_view_lines_stochastic(model, view, features, options);
     const bool contours_only = !options.has(LineType::suggestive) && !options.has(LineType::highlight);
     const SuggestiveOptions suggestive = suggestive_options(options, features, false), highlights = suggestive_options(options, features, true);
     if (features.clusters) {

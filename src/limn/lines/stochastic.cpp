@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -117,6 +118,21 @@ std::vector<Segment> search(const LineModel& model, const StochasticOptions& opt
     return Search<InFace>(model.adjacency, seeds, in_face, counts ? *counts : unread).run(options);
 }
 
+/// The union of what several frames find. Each is in the order of faces.
+template <class Frame> std::vector<Segment> over_frames(const StochasticOptions& options, const Frame& next_frame)
+{
+    const auto before = [](const Segment& a, const Segment& b) { return a.face < b.face; };
+    std::vector<Segment> all = next_frame();
+    for (int frame = 1; frame < stochastic_frames && options.sample_fraction < 1; ++frame) {
+        const std::vector<Segment> found = next_frame();
+        std::vector<Segment> joined;
+        joined.reserve(all.size() + found.size());
+        std::set_union(all.begin(), all.end(), found.begin(), found.end(), std::back_inserter(joined), before);
+        all = std::move(joined);
+    }
+    return all;
+}
+
 } // namespace
 
 SeedSet seeds_of_contours(const LineModel& model, std::uint64_t seed)
@@ -148,6 +164,19 @@ std::vector<Segment> extract_suggestive_stochastic(const LineModel& model, const
         throw Error::Input("suggestive lines need the derivative of curvature, which the surface does not hold");
     return search(model, options, seeds, counts,
                   [&](std::uint32_t face, Segment& segment) { return suggestive_in_face(model, view, face, suggestive, segment); });
+}
+
+std::vector<Segment> draw_contours_stochastic(const LineModel& model, const View& view, const StochasticOptions& options, std::uint64_t seed)
+{
+    SeedSet seeds = seeds_of_contours(model, seed);
+    return over_frames(options, [&] { return extract_contours_stochastic(model, view, options, seeds); });
+}
+
+std::vector<Segment> draw_suggestive_stochastic(const LineModel& model, const View& view, const SuggestiveFaces& faces,
+                                                const SuggestiveOptions& suggestive, const StochasticOptions& options, std::uint64_t seed)
+{
+    SeedSet seeds = seeds_of_suggestive(model, faces, seed);
+    return over_frames(options, [&] { return extract_suggestive_stochastic(model, view, suggestive, options, seeds); });
 }
 
 } // namespace limn

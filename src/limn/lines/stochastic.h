@@ -39,12 +39,19 @@ struct StochasticCounts {
 
 /// Contours from seeds and random faces: where a face holds one it is followed through its neighbours (Markosian et al. 1997,
 /// across faces as in Kalnins et al. 2002). A subset of extract_contours, in the same order: whole lines,
-/// but not all of them; with sample_fraction 1, all.
+/// but not all of them; with sample_fraction 1, all. (Lines along creases are not looked for: append_crease_outlines.)
 std::vector<Segment> extract_contours_stochastic(const LineModel& model, const View& view, const StochasticOptions& options, SeedSet& seeds,
                                                  StochasticCounts* counts = nullptr);
 
 /// The same for extract_suggestive.
 std::vector<Segment> extract_suggestive_stochastic(const LineModel& model, const View& view, const SuggestiveOptions& suggestive,
                                                    const StochasticOptions& options, SeedSet& seeds, StochasticCounts* counts = nullptr);
+
+/// For a single drawing: all that `stochastic_frames` frames from one eye find together (one frame where it samples every
+/// face), in the order of the exact pass. The same seed gives the same lines.
+inline constexpr int stochastic_frames = 8;
+std::vector<Segment> draw_contours_stochastic(const LineModel& model, const View& view, const StochasticOptions& options, std::uint64_t seed);
+std::vector<Segment> draw_suggestive_stochastic(const LineModel& model, const View& view, const SuggestiveFaces& faces,
+                                                const SuggestiveOptions& suggestive, const StochasticOptions& options, std::uint64_t seed);
 
 } // namespace limn
