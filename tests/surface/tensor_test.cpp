@@ -31,7 +31,7 @@ TEST(MaxNormals, AreWithin1e4OnARegularTorus)
     const Shape torus = make_test_shape("torus", 16'384, 0);
     Surface surface;
     surface.normals = max_normals(torus.mesh);
-    EXPECT_LE(normal_error(surface, torus.exact), 2e-4);
+    EXPECT_LE(normal_error(surface, torus.exact), 1e-4);
 }
 
 TEST(TensorMethod, ConvergesWithSecondOrderOnARegularTorus)
