@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "limn/base/error.h"
 #include "limn/drawing/simplify.h"
 #include "limn/lines/apparent.h"
 #include "limn/lines/clip.h"
@@ -245,6 +246,8 @@ RayScene build_ray_scene(const LineModel& model)
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
                    const LineOptions& options, DrawReport* report, ClusterHistory* history)
 {
+    if (model.normals.empty())
+        throw Error::Input("a line drawing needs the normals of the surface");
     const View view = model.view(camera);
     if (const std::vector<std::uint32_t> around = components_around(model, rays, view); !around.empty()) {
         const LineModel inside = turned_inside_out(model, around);

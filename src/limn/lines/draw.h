@@ -27,6 +27,7 @@ struct DrawReport {
 /// @param features  find_line_features(model, options), found once for many views
 /// @param history   of earlier views of the same model, or null: where the features hold clusters it decides how they are used. The
 ///                  drawing does not depend on it.
+/// @throws Error::Input when the model has no normals.
 Drawing draw_lines(const LineModel& model, const RayScene& rays, const LineFeatures& features, const Camera& camera,
                    const LineOptions& options, DrawReport* report = nullptr, ClusterHistory* history = nullptr);
 /// The same for a single view.
