@@ -242,7 +242,7 @@ TEST(Visibility, TorusIsRightWithoutDashes)
 {
     for (const bool orthographic : {false, true}) {
         const Score score = score_of({"torus", 50000, 20, orthographic});
-        EXPECT_LE(score.wrong_percent(), 0.1);
+        EXPECT_LE(score.wrong_percent(), 0.01);
         EXPECT_EQ(score.gaps, 0);
         EXPECT_EQ(score.dashes, 0);
         EXPECT_EQ(score.strokes, score.true_strokes);

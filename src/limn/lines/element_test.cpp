@@ -51,7 +51,7 @@ bool is_front_face(const LineModel& model, const View& view, std::uint32_t face)
     return glm::dot(face_normal(model, face), view.to_eye(model.positions[model.faces[face].x])) > 0;
 }
 
-bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const Segment& s, const vec3& p, float step)
+bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const Segment& s, const vec3& p, float step, float exit)
 {
     if (rule == VisibilityRule::surface && facing_in_face(c.model, c.facing, s.face, p) < 0)
         return false;
@@ -64,7 +64,7 @@ bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const S
         const uvec3& t = c.model.faces[hit.triangle];
         const float f = (1 - hit.u - hit.v) * c.facing[t.x] + hit.u * c.facing[t.y] + hit.v * c.facing[t.z];
         const float distance = hit.distance * unit;
-        return f < 0 ? distance > 0.5f * step : distance > 3 * step || c.model.component[hit.triangle] != component;
+        return f < 0 ? distance > 0.5f * step : distance > exit * step || c.model.component[hit.triangle] != component;
     });
 }
 

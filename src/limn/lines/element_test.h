@@ -19,9 +19,9 @@ bool bends_away(const LineModel& model, const Segment& segment);
 
 /// Whether a point of a segment inside a face sees the eye. The ray meets the unmodified mesh; a hit counts when (h = step)
 ///   the interpolated n.v at the hit is negative and it is farther than 0.5 h: an occluder is entered through its back, or
-///   n.v is positive and it is farther than 3 h or on another component (line-visibility specification, section 3).
+///   n.v is positive and it is farther than `exit` h or on another component (line-visibility specification, section 3).
 /// A surface line whose point itself turns away is hidden without a ray.
-bool is_surface_point_visible(const ViewContext& context, VisibilityRule rule, const Segment& segment, const vec3& p, float step);
+bool is_surface_point_visible(const ViewContext& context, VisibilityRule rule, const Segment& segment, const vec3& p, float step, float exit = 3);
 
 /// Whether a point on a mesh edge (of the segment's faces `face` and `other`) sees the eye: a convex edge is hidden when
 /// both faces turn away, a concave one unless both face the eye; else any hit beyond .02 h on other faces hides it.
