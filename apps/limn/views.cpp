@@ -19,6 +19,7 @@ constexpr double css_mm_per_pixel = 25.4 / 96; // the pixel of SVG and CSS
 constexpr ivec2 default_size = {1600, 1200};
 constexpr double sheet_margin = 0.11; // leaves room for a caption
 constexpr int largest_side = 1 << 15;
+constexpr double farthest_look = 1e15; // model units; beyond it single precision squares no distance of the picture
 
 ivec2 parse_size(const std::string& text)
 {
@@ -83,8 +84,11 @@ Camera placed_camera(const ViewOptions& options, const Bounds& bounds, char up_a
     camera.eye = parse_point("eye", options.eye);
     camera.look = options.look.empty() ? bounds.centre() : parse_point("look", options.look);
     camera.up = options.up.empty() ? up_vector(up_axis) : parse_point("up", options.up);
-    if (camera.eye == camera.look)
+    const double distance = glm::distance(camera.eye, camera.look);
+    if (!(distance > 0))
         throw Error::Input("--eye: the eye is where it looks; move --eye or --look");
+    if (!(distance <= farthest_look))
+        throw Error::Input(fmt::format("--eye: the eye is farther than {:.0e} from where it looks; move --eye or --look", farthest_look));
     if (camera.up == dvec3(0))
         throw Error::Input("--up: 0,0,0 is no direction");
     camera.ortho_height = height_for(camera, bounds);

@@ -50,6 +50,8 @@ TEST(CameraJson, NamesTheKeyThatIsWrong)
         {R"({"eye": [1, 2, 3], "look": [0, 0, 0], "size": [10.5, 10]})", "'size'"},
         {R"({"eye": [1, 2, 3], "look": [0, 0, 0], "up": [0, 0, 0]})", "'up'"},
         {R"({"eye": [1, 2, 3], "look": [1, 2, 3]})", "'look'"},
+        {R"({"eye": [1e-200, 0, 0], "look": [0, 0, 0]})", "'look'"}, // no direction in double precision
+        {R"({"eye": [1e300, 0, 0], "look": [0, 0, 0]})", "'eye' is farther"},
         {R"([1, 2])", "expected an object"},
         {"{\n\"eye\": [1, 2,, 3]}", "line 2"},
         {"", "line 1"},

@@ -71,6 +71,10 @@ TEST_F(Usage, ValuesOutOfTheirRangeAreRefusedBeforeAnythingIsRead)
     expect_usage_error(missing + "--crease-angle 200", "limn draw: --crease-angle: 200 is outside 0..180");
     expect_usage_error(missing + "--scale 2", "limn draw: --scale: '2' is not 1:N with N above 0");
     expect_usage_error(missing + "--eye 1,2,3 --view top", "limn draw: --eye and --view both place the camera; leave one out");
+    expect_usage_error("draw " + torus() + " -o " + path("a.svg") + " --eye 1e300,0,0",
+                       "limn draw: --eye: the eye is farther than 1e+15 from where it looks; move --eye or --look");
+    expect_usage_error("draw " + torus() + " -o " + path("a.svg") + " --eye 1e-200,0,0 --look 0,0,0",
+                       "limn draw: --eye: the eye is where it looks; move --eye or --look");
     EXPECT_EQ(limn(missing + "--lines conture").exit_code, 2);
     EXPECT_EQ(limn(missing + "--turntable 0").exit_code, 2);
     EXPECT_EQ(limn(missing + "--threads -1").exit_code, 2);

@@ -13,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double farthest_look = 1e15; ///< beyond it single precision squares no distance of the picture
+
 Json array_of(const dvec3& v) { return {v.x, v.y, v.z}; }
 
 [[noreturn]] void refuse(std::string_view key, const Json& value, std::string_view expected)
@@ -118,8 +120,11 @@ Camera camera_from_json(std::string_view text)
     read_number(json, "ortho_height", 0, INFINITY, camera.ortho_height);
     read_projection(json, camera.orthographic);
     read_size(json, camera.size);
-    if (camera.eye == camera.look)
+    const double distance = glm::distance(camera.eye, camera.look);
+    if (!(distance > 0))
         throw Error::Input("camera: 'look' is where 'eye' is");
+    if (!(distance <= farthest_look))
+        throw Error::Input(fmt::format("camera: 'eye' is farther than {:.0e} from 'look'", farthest_look));
     if (camera.up == dvec3(0))
         refuse("up", json["up"], "a direction");
     return camera;
