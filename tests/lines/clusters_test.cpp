@@ -119,8 +119,8 @@ TEST(Clusters, HoldEveryFaceOnceAndTheVerticesOfItsCorners)
         for (std::uint32_t i = c.first_face; i < c.first_face + c.faces; ++i) {
             ++seen[clusters.face[i]];
             for (int k = 0; k < 3; ++k) {
-                const std::size_t place = clusters.corners[i][std::size_t(k)];
-                const float* row = clusters.block(c.first_block + place / cluster_lanes) + place % cluster_lanes;
+                const std::size_t place = clusters.corners_of(c)[std::size_t(k) * cluster_faces + i - c.first_face];
+                const float* row = clusters.rows_of(c).facing + place / cluster_lanes * facing_rows * cluster_lanes + place % cluster_lanes;
                 EXPECT_EQ(vec3(row[0], row[cluster_lanes], row[2 * cluster_lanes]), model.positions[model.faces[clusters.face[i]][k]]);
             }
         }
@@ -247,6 +247,53 @@ TEST(Clusters, AgreeOnSliversFacesWithoutAreaAndWildNumbers)
     for (int i = 0; i < 20; ++i)
         for (const bool orthographic : {false, true})
             expect_same_lines(model, clusters, random_view(model, random, orthographic), i % 2 ? 0.01f : 0.0f, "view " + std::to_string(i));
+}
+
+TEST(Clusters, AgreeWhereNoTwoFacesShareAVertex)
+{
+    std::mt19937 random(seed);
+    ShapeOptions options;
+    options.name = "blob";
+    options.triangles = 4000;
+    Shape shape = make_shape(options);
+    Mesh soup;
+    Surface surface;
+    for (const uvec3& t : shape.mesh.triangles) {
+        const auto first = std::uint32_t(soup.positions.size());
+        soup.triangles.push_back({first, first + 1, first + 2});
+        for (int k = 0; k < 3; ++k) {
+            soup.positions.push_back(shape.mesh.positions[t[k]]);
+            surface.normals.push_back(shape.exact.normals[t[k]]);
+            surface.e1.push_back(shape.exact.e1[t[k]]);
+            surface.e2.push_back(shape.exact.e2[t[k]]);
+            surface.k1.push_back(shape.exact.k1[t[k]]);
+            surface.k2.push_back(shape.exact.k2[t[k]]);
+            surface.derivative.push_back(shape.exact.derivative[t[k]]);
+        }
+    }
+    const LineModel model = model_of(soup, surface);
+    const LineClusters clusters = build_clusters(model);
+    ASSERT_EQ(clusters.clusters[0].blocks * cluster_lanes, cluster_most_vertices);
+    with_each_instruction_set([&](const char* name) { expect_same_lines(model, clusters, random_view(model, random, false), 0.01f, name); });
+}
+
+TEST(Clusters, AgreeUnderALimitOfSpeed)
+{
+    std::mt19937 random(seed);
+    const LineModel model = shape_model("blob", 12000);
+    const LineClusters clusters = build_clusters(model);
+    SuggestiveOptions options = with_limit(0.01f);
+    ClusterRequest request;
+    request.suggestive = &options;
+    for (int i = 0; i < 6; ++i) {
+        const View view = random_view(model, random, i % 2);
+        options.speed_limit = 0;
+        const ClusterLines all = flat_lines(model, view, request);
+        options.speed_limit = 0.05f;
+        const ClusterLines slow = flat_lines(model, view, request);
+        EXPECT_FALSE(same_lines(slow, all)) << "seed 2027, view " << i;
+        EXPECT_TRUE(same_lines(extract_from_clusters(model, clusters, view, request), slow)) << "seed 2027, view " << i;
+    }
 }
 
 TEST(Clusters, AgreeOnMeshesOfAnySize)

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "limn/base/huge_pages.h"
 #include "limn/base/vec.h"
 #include "limn/lines/line_model.h"
 
@@ -40,7 +40,7 @@ inline constexpr std::size_t bound_lanes = 8;
 /// The bounds of all clusters, in groups of `bound_lanes`: row by row, one float for each cluster.
 struct ClusterBounds {
     std::size_t clusters = 0;
-    std::vector<float> values;
+    HugePageVector<float> values;
 
     std::size_t groups() const { return (clusters + bound_lanes - 1) / bound_lanes; }
     const float* group(std::size_t g) const { return values.data() + g * bound_rows * bound_lanes; }

@@ -1,7 +1,9 @@
 #include "limn/lines/cluster_extract.h"
 
 #include <algorithm>
-#include <bitset>
+#include <bit>
+
+#include <tbb/parallel_invoke.h>
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
@@ -22,17 +24,24 @@ struct Part {
     std::size_t survivors = 0;
 };
 
-/// Places of a cluster's faces, counted from its first.
-struct FaceList {
-    std::uint32_t count = 0;
-    std::uint8_t place[cluster_faces];
-};
+/// Faces of a cluster, one bit each.
+using FaceSet = std::uint64_t;
+static_assert(cluster_faces <= 64);
+
+constexpr FaceSet first_faces(std::uint32_t count) { return count >= 64 ? ~FaceSet(0) : (FaceSet(1) << count) - 1; }
+
+/// Calls `f(place)` for each of the faces, in ascending order.
+template <class F> void for_faces(FaceSet faces, F&& f)
+{
+    for (; faces != 0; faces &= faces - 1)
+        f(std::size_t(std::countr_zero(faces)));
+}
 
 /// One view of all clusters.
 class Extraction {
 public:
-    Extraction(const LineModel& model, const LineClusters& clusters, const View& view, const ClusterRequest& request)
-        : model_(model), clusters_(clusters), view_(view), request_(request), radial_(request.suggestive || request.highlights)
+    Extraction(const LineClusters& clusters, const View& view, const ClusterRequest& request)
+        : clusters_(clusters), view_(view), request_(request), radial_(request.suggestive || request.highlights)
     {
         bounded_view_.eye = view.eye;
         bounded_view_.orthographic = view.orthographic;
@@ -90,19 +99,20 @@ private:
         }
     }
 
+    template <class T> static void fetch(const T* begin, std::size_t count)
+    {
+        for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) // cache lines
+            __builtin_prefetch(begin + i);
+    }
+
     /// Asks for the vertices of a cluster before they are needed: survivors lie apart in memory.
     void fetch(const Survivor& survivor) const
     {
-        const float* begin = clusters_.block(survivor.cluster->first_block);
-        const std::size_t block = clusters_.row_count * cluster_lanes, used = survivor.radial ? block : 6 * cluster_lanes;
-        constexpr std::size_t cache_line = 64 / sizeof(float);
-        for (std::size_t b = 0; b < survivor.cluster->blocks; ++b)
-            for (std::size_t i = 0; i < used; i += cache_line)
-                __builtin_prefetch(begin + b * block + i);
-        for (std::size_t i = 0; i < cluster_faces; i += cache_line) {
-            __builtin_prefetch(clusters_.corners.data() + survivor.cluster->first_face + i);
-            __builtin_prefetch(clusters_.face.data() + survivor.cluster->first_face + i);
-        }
+        const ClusterRows rows = clusters_.rows_of(*survivor.cluster);
+        fetch(rows.facing, rows.blocks * facing_rows * cluster_lanes);
+        if (survivor.radial)
+            fetch(rows.curvature, rows.blocks * curvature_rows * cluster_lanes);
+        fetch(clusters_.corners_of(*survivor.cluster), 3 * cluster_faces);
     }
 
     /// What is found in one cluster after the other.
@@ -113,118 +123,88 @@ private:
         void run(const Survivor& survivor, Part& part)
         {
             c_ = survivor.cluster;
-            corners_ = all_.clusters_.corners.data() + c_->first_face;
-            const CodeSummary summary = find_cluster_codes(all_.clusters_.block(c_->first_block), all_.clusters_.row_count, c_->blocks, survivor.radial,
-                                                           all_.view_, codes_, facing_);
-            if (survivor.contour && (summary.mixed() & facing_away))
-                emit_contours(part);
-            if (survivor.radial && (summary.mixed() & radially_concave))
-                emit_suggestive(part);
+            rows_ = all_.clusters_.rows_of(*c_);
+            corners_ = all_.clusters_.corners_of(*c_);
+            const CodeSummary summary = find_cluster_codes(rows_, survivor.radial, all_.view_, codes_, facing_);
+            const bool contour = survivor.contour && (summary.mixed() & facing_away), radial = survivor.radial && (summary.mixed() & radially_concave);
+            if (!contour && !radial)
+                return;
+            if (radial)
+                fetch(rows_.derivative, rows_.blocks * derivative_rows * cluster_lanes);
+            const MixedFaces mixed = find_mixed_faces(corners_, codes_, rows_.blocks);
+            if (contour)
+                emit_contours(mixed.facing & first_faces(c_->faces), part.contours);
+            const FaceSet candidates = mixed.radial & first_faces(c_->candidates);
+            if (radial && all_.request_.suggestive)
+                emit_suggestive(candidates, *all_.request_.suggestive, part.suggestive);
+            if (radial && all_.request_.highlights)
+                emit_suggestive(candidates, *all_.request_.highlights, part.highlights);
         }
 
     private:
-        /// The first `count` faces whose corners differ in a bit, without branches.
-        void list_mixed(std::uint32_t count, std::uint8_t bit, FaceList& list) const
-        {
-            const unsigned shift = bit == facing_away ? 0 : 1;
-            for (std::uint32_t i = 0; i < count; ++i) {
-                const auto& t = corners_[i];
-                const unsigned differ = unsigned(codes_[t[0]] ^ codes_[t[1]]) | unsigned(codes_[t[0]] ^ codes_[t[2]]);
-                list.place[list.count] = std::uint8_t(i);
-                list.count += differ >> shift & 1;
-            }
-            for (std::uint32_t i = 0; i < list.count; ++i) // the ids of their edges lie far apart
-                __builtin_prefetch(all_.model_.adjacency.twin.data() + 3 * face(list.place[i]));
-        }
+        /// The vertex at a corner of a face.
+        std::uint32_t vertex(std::size_t place, std::size_t corner) const { return corners_[corner * cluster_faces + place]; }
 
-        const float* row_of(std::uint8_t vertex) const
+        /// The first of three rows, in a vertex's column.
+        template <std::size_t Count> static const float* column(const float* rows, std::uint32_t vertex)
         {
-            return all_.clusters_.block(c_->first_block + vertex / cluster_lanes) + vertex % cluster_lanes;
+            return rows + vertex / cluster_lanes * Count * cluster_lanes + vertex % cluster_lanes;
         }
         static vec3 vector_at(const float* row) { return {row[0], row[cluster_lanes], row[2 * cluster_lanes]}; }
-        vec3 position(std::uint8_t vertex) const { return vector_at(row_of(vertex)); }
+        vec3 position(std::uint32_t vertex) const { return vector_at(column<facing_rows>(rows_.facing, vertex)); }
 
-        void emit_contours(Part& part) const
+        void emit_contours(FaceSet faces, std::vector<Segment>& out) const
         {
-            FaceList list;
-            list_mixed(c_->faces, facing_away, list);
-            for (std::uint32_t i = 0; i < list.count; ++i) {
-                const auto& t = corners_[list.place[i]];
-                const std::uint32_t vertices[3] = {t[0], t[1], t[2]};
+            for_faces(faces, [&](std::size_t i) {
+                const std::uint32_t t[3] = {vertex(i, 0), vertex(i, 1), vertex(i, 2)};
                 const vec3 positions[3] = {position(t[0]), position(t[1]), position(t[2])};
                 const float facing[3] = {facing_[t[0]], facing_[t[1]], facing_[t[2]]};
-                part.contours.push_back(contour_in_face(vertices, positions, facing, all_.model_.adjacency, face(list.place[i])));
-            }
+                out.push_back(contour_in_face(t, positions, facing, face(i)));
+            });
         }
 
-        void emit_suggestive(Part& part)
+        /// @param candidates  whose corners differ in the sign of the radial curvature
+        void emit_suggestive(FaceSet candidates, const SuggestiveOptions& options, std::vector<Segment>& out)
         {
-            FaceList list;
-            list_mixed(c_->candidates, radially_concave, list);
-            known_[0].has.reset();
-            known_[1].has.reset();
-            for (std::uint32_t i = 0; i < list.count; ++i) {
-                const auto& t = corners_[list.place[i]];
+            if (candidates == 0 || !find_cluster_strengths(rows_, all_.view_, options, kr_, strength_, strong_))
+                return;
+            for_faces(candidates & find_flagged_faces(corners_, strong_, rows_.blocks), [&](std::size_t i) {
+                const std::uint32_t t[3] = {vertex(i, 0), vertex(i, 1), vertex(i, 2)};
                 const vec3 positions[3] = {position(t[0]), position(t[1]), position(t[2])};
                 if (!faces_eye(positions[0], positions[1], positions[2], all_.view_))
-                    continue;
-                if (all_.request_.suggestive)
-                    emit_face(list.place[i], positions, *all_.request_.suggestive, part.suggestive);
-                if (all_.request_.highlights)
-                    emit_face(list.place[i], positions, *all_.request_.highlights, part.highlights);
-            }
+                    return;
+                const SuggestiveCorner corners[3] = {corner(t[0], options), corner(t[1], options), corner(t[2], options)};
+                const std::uint32_t f = face(i), half_edges[3] = {3 * f, 3 * f + 1, 3 * f + 2};
+                Segment segment;
+                if (trim_suggestive(corners, positions, half_edges, f, options, segment))
+                    out.push_back(segment);
+            });
         }
 
-        void emit_face(std::uint8_t place, const vec3 (&positions)[3], const SuggestiveOptions& options, std::vector<Segment>& out)
+        SuggestiveCorner corner(std::uint32_t vertex, const SuggestiveOptions& options) const
         {
-            const auto& t = corners_[place];
-            const SuggestiveCorner corners[3] = {known_corner(t[0], options), known_corner(t[1], options), known_corner(t[2], options)};
-            if (!(corners[0].strength > 0 || corners[1].strength > 0 || corners[2].strength > 0))
-                return;
-            const std::uint32_t f = face(place);
-            const Adjacency& adjacency = all_.model_.adjacency;
-            const std::uint32_t edges[3] = {adjacency.edge_id(3 * f), adjacency.edge_id(3 * f + 1), adjacency.edge_id(3 * f + 2)};
-            Segment segment;
-            if (trim_suggestive(corners, positions, edges, f, options, segment))
-                out.push_back(segment);
-        }
-
-        /// Faces along a line share most of their corners: each is found once.
-        const SuggestiveCorner& known_corner(std::uint8_t vertex, const SuggestiveOptions& options)
-        {
-            KnownCorners& known = known_[options.highlight];
-            if (!known.has[vertex]) {
-                known.has[vertex] = true;
-                known.corners[vertex] = corner(vertex, options);
-            }
-            return known.corners[vertex];
-        }
-
-        SuggestiveCorner corner(std::uint8_t vertex, const SuggestiveOptions& options) const
-        {
-            const float* row = row_of(vertex);
-            const auto vector = [&](std::size_t first) { return vector_at(row + first * cluster_lanes); };
-            const float k1 = row[12 * cluster_lanes], k2 = row[13 * cluster_lanes];
-            const formulas::RadialTerms terms = formulas::radial_terms(all_.view_.to_eye(vector(0)), vector(3), vector(6), vector(9), k1, k2);
-            const vec4& derivative = all_.clusters_.derivative[c_->first_block * cluster_lanes + vertex];
-            return suggestive_corner(terms, vertex, k1, k2, derivative, options, all_.view_.orthographic);
+            if (!(options.speed_limit > 0))
+                return {vertex, kr_[vertex], strength_[vertex]};
+            const float* facing = column<facing_rows>(rows_.facing, vertex);
+            const float* curvature = column<curvature_rows>(rows_.curvature, vertex);
+            const float* derivative = column<derivative_rows>(rows_.derivative, vertex);
+            const float k1 = curvature[6 * cluster_lanes], k2 = curvature[7 * cluster_lanes];
+            const formulas::RadialTerms terms = formulas::radial_terms(all_.view_.to_eye(vector_at(facing)), vector_at(facing + 3 * cluster_lanes),
+                                                                       vector_at(curvature), vector_at(curvature + 3 * cluster_lanes), k1, k2);
+            return suggestive_corner(terms, vertex, k1, k2, vec4(vector_at(derivative), derivative[3 * cluster_lanes]), options, all_.view_.orthographic);
         }
 
         std::uint32_t face(std::size_t place) const { return all_.clusters_.face[c_->first_face + place]; }
 
         const Extraction& all_;
         const Cluster* c_ = nullptr;
-        const std::array<std::uint8_t, 4>* corners_ = nullptr; ///< of its faces
-        std::uint8_t codes_[cluster_most_vertices];
-        float facing_[cluster_most_vertices];
-        struct KnownCorners {
-            std::bitset<cluster_most_vertices> has;
-            std::array<SuggestiveCorner, cluster_most_vertices> corners;
-        };
-        KnownCorners known_[2];
+        ClusterRows rows_ = {};
+        const std::uint8_t* corners_ = nullptr; ///< of its faces
+        // Of its vertices.
+        std::uint8_t codes_[cluster_most_vertices] = {}, strong_[cluster_most_vertices] = {};
+        float facing_[cluster_most_vertices], kr_[cluster_most_vertices], strength_[cluster_most_vertices];
     };
 
-    const LineModel& model_;
     const LineClusters& clusters_;
     const View& view_;
     const ClusterRequest& request_;
@@ -232,24 +212,31 @@ private:
     ClusterView bounded_view_;
 };
 
-/// All segments of one kind, in the order of their faces.
-std::vector<Segment> in_face_order(const std::vector<Part>& parts, std::vector<Segment> Part::*kind, std::size_t faces)
+/// All segments of one kind, in the order of their faces and with the ids of edges.
+std::vector<Segment> in_face_order(const std::vector<Part>& parts, std::vector<Segment> Part::*kind, const LineModel& model)
 {
-    std::size_t count = 0;
-    for (const Part& part : parts)
-        count += (part.*kind).size();
-    std::vector<std::uint64_t> keys;
-    std::vector<const Segment*> where;
-    keys.reserve(count);
-    where.reserve(count);
-    for (const Part& part : parts)
-        for (const Segment& s : part.*kind) {
-            keys.push_back(keyed(s.face, std::uint32_t(where.size())));
-            where.push_back(&s);
+    std::vector<std::size_t> first(parts.size() + 1, 0);
+    for (std::size_t p = 0; p < parts.size(); ++p)
+        first[p + 1] = first[p] + (parts[p].*kind).size();
+    std::vector<std::uint64_t> keys(first.back());
+    std::vector<const Segment*> where(keys.size());
+    parallel_each(parts.size(), 64, [&](std::size_t p) {
+        std::size_t place = first[p];
+        for (const Segment& s : parts[p].*kind) {
+            keys[place] = keyed(s.face, std::uint32_t(place));
+            where[place++] = &s;
         }
-    sort_by_key(keys, std::uint32_t(faces));
+    });
+    sort_by_key(keys, std::uint32_t(model.faces.size()));
     std::vector<Segment> sorted(keys.size());
-    parallel_each(keys.size(), 4096, [&](std::size_t i) { sorted[i] = *where[item_of(keys[i])]; });
+    constexpr std::size_t ahead = 12; // so much earlier than it is needed is asked for what lies far apart
+    parallel_each(keys.size(), 2048, [&](std::size_t i) {
+        const std::uint64_t later = keys[std::min(i + ahead, keys.size() - 1)];
+        __builtin_prefetch(where[item_of(later)]);
+        __builtin_prefetch(model.adjacency.twin.data() + 3 * std::size_t(key_of(later)));
+        sorted[i] = *where[item_of(keys[i])];
+        number_edges(sorted[i], model.adjacency);
+    });
     return sorted;
 }
 
@@ -283,13 +270,13 @@ ClusterLines extract_from_clusters(const LineModel& model, const LineClusters& c
     if ((request.suggestive || request.highlights) && !model.has_derivative())
         throw Error::Input("suggestive lines need the derivative of curvature, which the surface does not hold");
     const bool bounded = choose_bounded(request.use, history);
-    const std::vector<Part> parts = Extraction(model, clusters, view, request).run(bounded);
+    const std::vector<Part> parts = Extraction(clusters, view, request).run(bounded);
     if (history)
         remember(*history, parts, clusters.clusters.size(), bounded);
     ClusterLines lines;
-    lines.contours = in_face_order(parts, &Part::contours, model.faces.size());
-    lines.suggestive = in_face_order(parts, &Part::suggestive, model.faces.size());
-    lines.highlights = in_face_order(parts, &Part::highlights, model.faces.size());
+    tbb::parallel_invoke([&] { lines.contours = in_face_order(parts, &Part::contours, model); },
+                         [&] { lines.suggestive = in_face_order(parts, &Part::suggestive, model); },
+                         [&] { lines.highlights = in_face_order(parts, &Part::highlights, model); });
     if (request.contours)
         append_crease_outlines(model, view, lines.contours);
     return lines;

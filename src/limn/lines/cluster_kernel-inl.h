@@ -1,4 +1,4 @@
-// The sign pass over a cluster's vertices and the tests of its bounds, on vectors. Included by cluster_kernel.cpp once
+// The passes over the vertices and faces of a cluster and the tests of its bounds, on vectors. Included by cluster_kernel.cpp once
 // for each instruction set. Letters and names of the tests as in section 3 of the line-hierarchy specification.
 
 #include "limn/lines/cluster_bounds.h"
@@ -46,37 +46,62 @@ struct ToEye {
     }
 };
 
-/// formulas::radial_terms, the part that decides on signs.
-inline Mask is_radially_concave(const Rows<cluster_lanes>& rows, const V3& v, V nv)
+/// formulas::radial_terms at some vertices.
+struct Radial {
+    V nv, a, b, w2, vv, f, k1, k2;
+    Mask directed; ///< not is_head_on
+};
+
+inline Radial radial_at(const Rows<cluster_lanes>& curvature, const V3& v, V nv)
 {
-    const V a = dot(rows.vector(6), v), b = dot(rows.vector(9), v), k1 = rows[12], k2 = rows[13];
-    const V aa = hn::Mul(a, a), bb = hn::Mul(b, b), w2 = hn::Add(aa, bb), vv = hn::Add(w2, hn::Mul(nv, nv));
-    const V f = hn::Add(hn::Mul(k1, aa), hn::Mul(k2, bb));
-    const Mask directed = hn::Gt(w2, hn::Mul(value(1e-10f), vv));
-    return hn::Lt(hn::IfThenElse(directed, f, hn::Add(k1, k2)), hn::Zero(Tag()));
+    Radial r{};
+    r.nv = nv;
+    r.a = dot(curvature.vector(0), v);
+    r.b = dot(curvature.vector(3), v);
+    r.k1 = curvature[6];
+    r.k2 = curvature[7];
+    const V aa = hn::Mul(r.a, r.a), bb = hn::Mul(r.b, r.b);
+    r.w2 = hn::Add(aa, bb);
+    r.vv = hn::Add(r.w2, hn::Mul(nv, nv));
+    r.directed = hn::Gt(r.w2, hn::Mul(value(1e-10f), r.vv));
+    r.f = hn::IfThenElse(r.directed, hn::Add(hn::Mul(r.k1, aa), hn::Mul(r.k2, bb)), hn::Add(r.k1, r.k2));
+    return r;
 }
 
-template <bool Radial>
-CodeSummary find_codes_of(const float* rows, std::size_t row_count, std::size_t blocks, const View& view, std::uint8_t* codes, float* facing)
+/// Calls `f(place)` for the first vertex of every vector of a cluster.
+template <class F> void for_vectors(std::size_t blocks, F&& f)
+{
+    for (std::size_t place = 0; place < blocks * cluster_lanes; place += hn::Lanes(Tag()))
+        f(place);
+}
+
+/// The rows of the block that a vertex is in, from its lane on.
+template <std::size_t Count> Rows<cluster_lanes> rows_at(const float* first, std::size_t place)
+{
+    return {first + place / cluster_lanes * Count * cluster_lanes + place % cluster_lanes};
+}
+
+template <bool Radially> CodeSummary find_codes_of(const ClusterRows& rows, const View& view, std::uint8_t* codes, float* facing)
 {
     const Tag d;
     const hn::RebindToSigned<Tag> di;
     const hn::Rebind<std::uint8_t, Tag> d8;
     const ToEye to_eye(view.eye, view.orthographic);
     auto any = hn::Zero(di), all = hn::Set(di, 3);
-    for (std::size_t b = 0; b < blocks; ++b, rows += row_count * cluster_lanes)
-        for (std::size_t lane = 0; lane < cluster_lanes; lane += hn::Lanes(d)) {
-            const Rows<cluster_lanes> at = {rows + lane};
-            const V3 v = to_eye(at.vector(0));
-            const V nv = dot(at.vector(3), v);
-            auto code = hn::IfThenElseZero(hn::RebindMask(di, hn::Lt(nv, hn::Zero(d))), hn::Set(di, 1));
-            if constexpr (Radial)
-                code = hn::Or(code, hn::IfThenElseZero(hn::RebindMask(di, is_radially_concave(at, v, nv)), hn::Set(di, 2)));
-            any = hn::Or(any, code);
-            all = hn::And(all, code);
-            hn::StoreU(nv, d, facing + b * cluster_lanes + lane);
-            hn::StoreU(hn::DemoteTo(d8, code), d8, codes + b * cluster_lanes + lane);
+    for_vectors(rows.blocks, [&](std::size_t place) {
+        const auto at = rows_at<facing_rows>(rows.facing, place);
+        const V3 v = to_eye(at.vector(0));
+        const V nv = dot(at.vector(3), v);
+        auto code = hn::IfThenElseZero(hn::RebindMask(di, hn::Lt(nv, hn::Zero(d))), hn::Set(di, 1));
+        if constexpr (Radially) {
+            const V f = radial_at(rows_at<curvature_rows>(rows.curvature, place), v, nv).f;
+            code = hn::Or(code, hn::IfThenElseZero(hn::RebindMask(di, hn::Lt(f, hn::Zero(d))), hn::Set(di, 2)));
         }
+        any = hn::Or(any, code);
+        all = hn::And(all, code);
+        hn::StoreU(nv, d, facing + place);
+        hn::StoreU(hn::DemoteTo(d8, code), d8, codes + place);
+    });
     CodeSummary summary = {0, 3};
     HWY_ALIGN_MAX std::int32_t lanes_any[cluster_lanes], lanes_all[cluster_lanes];
     hn::Store(any, di, lanes_any);
@@ -88,9 +113,113 @@ CodeSummary find_codes_of(const float* rows, std::size_t row_count, std::size_t 
     return summary;
 }
 
-CodeSummary find_codes(const float* rows, std::size_t row_count, std::size_t blocks, bool radial, const View& view, std::uint8_t* codes, float* facing)
+CodeSummary find_codes(const ClusterRows& rows, bool radial, const View& view, std::uint8_t* codes, float* facing)
 {
-    return radial ? find_codes_of<true>(rows, row_count, blocks, view, codes, facing) : find_codes_of<false>(rows, row_count, blocks, view, codes, facing);
+    return radial ? find_codes_of<true>(rows, view, codes, facing) : find_codes_of<false>(rows, view, codes, facing);
+}
+
+/// formulas::radial_curvature_derivative, where w has a direction.
+inline V derivative_along(const Radial& r, const Rows<cluster_lanes>& derivative)
+{
+    const V three = value(3), w = hn::Sqrt(r.w2), u = hn::Div(r.a, w), t = hn::Div(r.b, w);
+    const V first = hn::Add(hn::Mul(u, derivative[0]), hn::Mul(hn::Mul(three, t), derivative[1]));
+    const V second = hn::Add(hn::Mul(hn::Mul(three, u), derivative[2]), hn::Mul(t, derivative[3]));
+    const V cubic = hn::Add(hn::Mul(hn::Mul(u, u), first), hn::Mul(hn::Mul(t, t), second));
+    const V torsion = hn::Mul(hn::Mul(hn::Sub(r.k2, r.k1), u), t);
+    return hn::Sub(cubic, hn::Mul(hn::Mul(hn::Mul(value(2), torsion), torsion), hn::Div(r.nv, w)));
+}
+
+/// SuggestiveCorner::kr: its sign is that of f even where the quotient underflows.
+inline V radial_curvature_of(const Radial& r)
+{
+    const V zero = hn::Zero(Tag());
+    const V kr = hn::IfThenElse(r.directed, hn::Div(r.f, r.w2), hn::Mul(value(0.5f), hn::Add(r.k1, r.k2)));
+    return hn::IfThenElse(hn::And(hn::Lt(r.f, zero), hn::Not(hn::Lt(kr, zero))), r.f, kr);
+}
+
+bool find_strengths(const ClusterRows& rows, const View& view, const SuggestiveOptions& options, float* kr, float* strength, std::uint8_t* flags)
+{
+    const Tag d;
+    const hn::RebindToSigned<Tag> di;
+    const hn::Rebind<std::uint8_t, Tag> d8;
+    const ToEye to_eye(view.eye, view.orthographic);
+    const V size2 = value(options.feature_size * options.feature_size), limit = value(options.limit);
+    auto any = hn::Zero(di);
+    for_vectors(rows.blocks, [&](std::size_t place) {
+        const auto at = rows_at<facing_rows>(rows.facing, place);
+        const V3 v = to_eye(at.vector(0));
+        const Radial r = radial_at(rows_at<curvature_rows>(rows.curvature, place), v, dot(at.vector(3), v));
+        const V along = derivative_along(r, rows_at<derivative_rows>(rows.derivative, place));
+        const V slant = hn::Mul(size2, hn::Div(r.w2, r.vv));
+        const V g = hn::IfThenElse(r.directed, hn::Sub(hn::Mul(slant, options.highlight ? hn::Neg(along) : along), limit), hn::Neg(limit));
+        const auto flag = hn::IfThenElseZero(hn::RebindMask(di, hn::Gt(g, hn::Zero(d))), hn::Set(di, 1));
+        any = hn::Or(any, flag);
+        hn::StoreU(radial_curvature_of(r), d, kr + place);
+        hn::StoreU(g, d, strength + place);
+        hn::StoreU(hn::DemoteTo(d8, flag), d8, flags + place);
+    });
+    return !hn::AllTrue(di, hn::Eq(any, hn::Zero(di)));
+}
+
+/// A byte for each of some faces.
+using ByteTag = hn::CappedTag<std::uint8_t, cluster_faces>;
+using Bytes = hn::Vec<ByteTag>;
+
+/// The bytes of a cluster's vertices at some places.
+#if HWY_TARGET == HWY_SCALAR
+inline Bytes bytes_at(const std::uint8_t* bytes, std::size_t, Bytes places) { return hn::Set(ByteTag(), bytes[hn::GetLane(places)]); }
+#else
+inline Bytes bytes_at(const std::uint8_t* bytes, std::size_t blocks, Bytes places)
+{
+    const ByteTag d;
+    const Bytes table_of = hn::And(places, hn::Set(d, 0xF0)), in_table = hn::And(places, hn::Set(d, 0x0F));
+    Bytes found = hn::Zero(d);
+    for (std::size_t first = 0; first < blocks * cluster_lanes; first += 16) { // tables of 16
+        const Bytes here = hn::TableLookupBytes(hn::LoadDup128(d, bytes + first), in_table);
+        found = hn::Or(found, hn::IfThenElseZero(hn::Eq(table_of, hn::Set(d, std::uint8_t(first))), here));
+    }
+    return found;
+}
+#endif
+
+inline std::uint64_t bits_where(Bytes x, std::uint8_t bit)
+{
+    const ByteTag d;
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::TestBit(x, hn::Set(d, bit)), bytes);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
+
+/// Calls `f(first, a, b, c)` with the bytes of three corners for the faces from `first` on.
+template <class F> void for_face_vectors(const std::uint8_t* corners, const std::uint8_t* bytes, std::size_t blocks, F&& f)
+{
+    const ByteTag d;
+    for (std::size_t first = 0; first < cluster_faces; first += hn::Lanes(d)) {
+        const auto corner = [&](std::size_t k) { return bytes_at(bytes, blocks, hn::LoadU(d, corners + k * cluster_faces + first)); };
+        f(first, corner(0), corner(1), corner(2));
+    }
+}
+
+MixedFaces mixed_faces(const std::uint8_t* corners, const std::uint8_t* codes, std::size_t blocks)
+{
+    MixedFaces mixed;
+    for_face_vectors(corners, codes, blocks, [&](std::size_t first, Bytes a, Bytes b, Bytes c) {
+        const Bytes differ = hn::Or(hn::Xor(a, b), hn::Xor(a, c));
+        mixed.facing |= bits_where(differ, 1) << first;
+        mixed.radial |= bits_where(differ, 2) << first;
+    });
+    return mixed;
+}
+
+std::uint64_t flagged_faces(const std::uint8_t* corners, const std::uint8_t* flags, std::size_t blocks)
+{
+    std::uint64_t flagged = 0;
+    for_face_vectors(corners, flags, blocks, [&](std::size_t first, Bytes a, Bytes b, Bytes c) {
+        flagged |= bits_where(hn::Or(a, hn::Or(b, c)), 1) << first;
+    });
+    return flagged;
 }
 
 /// 64 u: more than all roundings of a test and of what it stands for, in units of its largest term.

@@ -20,12 +20,29 @@
 namespace limn {
 
 HWY_EXPORT(find_codes);
+HWY_EXPORT(find_strengths);
+HWY_EXPORT(mixed_faces);
+HWY_EXPORT(flagged_faces);
 HWY_EXPORT(test_group);
 
-CodeSummary find_cluster_codes(const float* rows, std::size_t row_count, std::size_t blocks, bool radial, const View& view, std::uint8_t* codes,
-                               float* facing)
+CodeSummary find_cluster_codes(const ClusterRows& rows, bool radial, const View& view, std::uint8_t* codes, float* facing)
 {
-    return HWY_DYNAMIC_DISPATCH(find_codes)(rows, row_count, blocks, radial, view, codes, facing);
+    return HWY_DYNAMIC_DISPATCH(find_codes)(rows, radial, view, codes, facing);
+}
+
+bool find_cluster_strengths(const ClusterRows& rows, const View& view, const SuggestiveOptions& options, float* kr, float* strength, std::uint8_t* flags)
+{
+    return HWY_DYNAMIC_DISPATCH(find_strengths)(rows, view, options, kr, strength, flags);
+}
+
+MixedFaces find_mixed_faces(const std::uint8_t* corners, const std::uint8_t* codes, std::size_t blocks)
+{
+    return HWY_DYNAMIC_DISPATCH(mixed_faces)(corners, codes, blocks);
+}
+
+std::uint64_t find_flagged_faces(const std::uint8_t* corners, const std::uint8_t* flags, std::size_t blocks)
+{
+    return HWY_DYNAMIC_DISPATCH(flagged_faces)(corners, flags, blocks);
 }
 
 ClusterSurvivors test_clusters(const ClusterBounds& bounds, std::size_t group, const ClusterView& view)

@@ -96,37 +96,51 @@ public:
     void pack(const Cluster& c) const
     {
         const VertexSet vertices(model_, faces(c));
-        for (std::size_t i = 0; i < c.faces; ++i) {
-            const uvec3& t = model_.faces[out_.face[c.first_face + i]];
-            out_.corners[c.first_face + i] = {vertices.place_of(t.x), vertices.place_of(t.y), vertices.place_of(t.z), 0};
-        }
+        for (std::size_t i = 0; i < c.faces; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                out_.corners[3 * c.first_face + k * cluster_faces + i] = vertices.place_of(model_.faces[out_.face[c.first_face + i]][int(k)]);
         for (std::size_t place = 0; place < c.blocks * cluster_lanes; ++place)
-            pack_vertex(c.first_block + place / cluster_lanes, place % cluster_lanes, vertices.at(place));
+            pack_vertex(c, place, vertices.at(place));
     }
 
 private:
-    void pack_vertex(std::size_t block, std::size_t lane, std::uint32_t v) const
+    /// Writes one vertex's column of a block, from a row on.
+    class Column {
+    public:
+        Column(HugePageVector<float>& rows, std::size_t row, std::size_t lane) : next_(rows.data() + row * cluster_lanes + lane) {}
+        void put(float x)
+        {
+            *next_ = x;
+            next_ += cluster_lanes;
+        }
+        void put(const vec3& x)
+        {
+            for (int k = 0; k < 3; ++k)
+                put(x[k]);
+        }
+
+    private:
+        float* next_;
+    };
+
+    void pack_vertex(const Cluster& c, std::size_t place, std::uint32_t v) const
     {
-        float* row = out_.rows.data() + block * out_.row_count * cluster_lanes + lane;
-        const auto put = [&](float x) {
-            *row = x;
-            row += cluster_lanes;
-        };
-        const auto put_vector = [&](const vec3& x) {
-            put(x.x);
-            put(x.y);
-            put(x.z);
-        };
-        put_vector(model_.positions[v]);
-        put_vector(model_.normals[v]);
-        if (!out_.has_curvature())
+        const std::size_t block = place / cluster_lanes, lane = place % cluster_lanes, first_row = c.first_block * out_.row_count();
+        Column facing(out_.rows, first_row + block * facing_rows, lane);
+        facing.put(model_.positions[v]);
+        facing.put(model_.normals[v]);
+        if (!out_.has_curvature)
             return;
-        put_vector(model_.e1[v]);
-        put_vector(model_.e2[v]);
-        put(model_.k1[v]);
-        put(model_.k2[v]);
-        if (!out_.derivative.empty())
-            out_.derivative[block * cluster_lanes + lane] = model_.derivative[v];
+        Column curvature(out_.rows, first_row + c.blocks * facing_rows + block * curvature_rows, lane);
+        curvature.put(model_.e1[v]);
+        curvature.put(model_.e2[v]);
+        curvature.put(model_.k1[v]);
+        curvature.put(model_.k2[v]);
+        if (out_.derivative.empty())
+            return;
+        Column derivative(out_.derivative, (c.first_block + block) * derivative_rows, lane);
+        for (int k = 0; k < 4; ++k)
+            derivative.put(model_.derivative[v][k]);
     }
 
     const LineModel& model_;
@@ -168,10 +182,10 @@ LineClusters build_clusters(const LineModel& model, const ClusterBoundOptions& o
         c.first_block = blocks;
         blocks += c.blocks;
     }
-    out.row_count = model.has_curvature() ? 14 : 6;
-    out.rows.resize(blocks * out.row_count * cluster_lanes);
-    out.derivative.resize(model.has_derivative() ? blocks * cluster_lanes : 0);
-    out.corners.resize(items.size());
+    out.has_curvature = model.has_curvature();
+    out.rows.resize(blocks * out.row_count() * cluster_lanes);
+    out.derivative.resize(model.has_derivative() ? blocks * derivative_rows * cluster_lanes : 0);
+    out.corners.resize(3 * cluster_faces * out.clusters.size());
     out.bounds.clusters = out.clusters.size();
     out.bounds.values.assign(out.bounds.groups() * bound_rows * bound_lanes, 0.0f);
     const Packer packer(model, out);

@@ -10,8 +10,8 @@ namespace limn {
 /// contours goes through here, so that all give the same bits.
 /// @param vertices   numbers that order the ends of edges as the model's vertex numbers do
 /// @param positions, facing  of the three corners
-inline Segment contour_in_face(const std::uint32_t (&vertices)[3], const vec3 (&positions)[3], const float (&facing)[3], const Adjacency& adjacency,
-                               std::uint32_t face)
+/// @return its ends lie on half-edges of the face, which stand for their edges (`number_edges`)
+inline Segment contour_in_face(const std::uint32_t (&vertices)[3], const vec3 (&positions)[3], const float (&facing)[3], std::uint32_t face)
 {
     const bool back[3] = {facing[0] < 0, facing[1] < 0, facing[2] < 0};
     // The two mixed edges run from and to the odd corner k. An odd back corner is entered by the edge that leaves it.
@@ -27,9 +27,17 @@ inline Segment contour_in_face(const std::uint32_t (&vertices)[3], const vec3 (&
     segment.a = end_on(enter);
     segment.b = end_on(exit);
     segment.face = face;
-    segment.edge_a = adjacency.edge_id(3 * face + std::uint32_t(enter));
-    segment.edge_b = adjacency.edge_id(3 * face + std::uint32_t(exit));
+    segment.edge_a = 3 * face + std::uint32_t(enter);
+    segment.edge_b = 3 * face + std::uint32_t(exit);
     return segment;
+}
+
+/// Puts the ids of edges in the place of half-edges.
+inline void number_edges(Segment& segment, const Adjacency& adjacency)
+{
+    for (std::uint32_t* edge : {&segment.edge_a, &segment.edge_b})
+        if (*edge != none)
+            *edge = adjacency.edge_id(*edge);
 }
 
 /// The same for a face of a model from n.v at its three corners.
@@ -40,7 +48,8 @@ inline bool contour_in_face(const LineModel& model, std::uint32_t face, const fl
         return false;
     const uvec3& t = model.faces[face];
     const vec3 positions[3] = {model.positions[t.x], model.positions[t.y], model.positions[t.z]};
-    segment = contour_in_face({t.x, t.y, t.z}, positions, facing, model.adjacency, face);
+    segment = contour_in_face({t.x, t.y, t.z}, positions, facing, face);
+    number_edges(segment, model.adjacency);
     return true;
 }
 
