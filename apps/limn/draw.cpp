@@ -55,10 +55,21 @@ struct Stage {
     SeenScene seen;
 };
 
+/// Faces by their numbers in the files.
+void number_faces_as_in_files(Drawing& drawing, const std::vector<Input>& inputs)
+{
+    for (Stroke& stroke : drawing.strokes)
+        if (const std::vector<std::uint32_t>& numbers = inputs[stroke.object].face_numbers; !numbers.empty())
+            for (std::uint32_t& face : stroke.faces)
+                if (face != none)
+                    face = numbers[face];
+}
+
 Drawing draw_view(const Stage& stage, const Camera& camera, DrawnView& view, Times& times)
 {
     view.camera = camera;
     Drawing drawing = draw_lines(stage.models.lines, stage.rays, stage.features, camera, stage.command.lines, &view.report);
+    number_faces_as_in_files(drawing, stage.models.inputs);
     Stopwatch watch;
     add_areas(drawing, stage.seen, stage.command.areas, stage.command.style);
     times.shade += watch.lap();

@@ -25,7 +25,8 @@ PreparedMesh load(const std::string& file, const ModelOptions& options, Input& i
              read.mesh.triangles.size(),
              read.mesh.bounds(),
              read.notes,
-             std::nullopt};
+             std::nullopt,
+             std::move(read.mesh.face_numbers)};
     PreparedMesh prepared = prepare_mesh(std::move(read.mesh), options.prepare);
     if (!prepared.from_cache && options.prepare.estimate.need != Need::normals)
         input.estimate = prepared.report;

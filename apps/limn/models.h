@@ -22,6 +22,7 @@ struct Input {
     limn::Bounds bounds;
     std::vector<std::string> notes;               ///< what is unclean
     std::optional<limn::EstimateReport> estimate; ///< where curvature was estimated in this run
+    std::vector<std::uint32_t> face_numbers;      ///< Mesh::face_numbers
 };
 
 /// Models that stand in one world, ready to be drawn from any side.

@@ -70,6 +70,21 @@ TEST(CacheOrder, MovesEverythingAlong)
     EXPECT_NE(ordered.positions, mesh.positions);
 }
 
+TEST(CacheOrder, RemembersTheNumbersOfTheFaces)
+{
+    const Mesh mesh = test::torus(30, 20);
+    Mesh ordered = mesh;
+    put_in_cache_order(ordered);
+    ASSERT_EQ(ordered.face_numbers.size(), mesh.triangles.size());
+    for (std::size_t f = 0; f < ordered.triangles.size(); ++f)
+        for (int k = 0; k < 3; ++k)
+            ASSERT_EQ(ordered.positions[ordered.triangles[f][k]], mesh.positions[mesh.triangles[ordered.face_numbers[f]][k]]);
+    EXPECT_NE(ordered.triangles, mesh.triangles);
+    put_in_cache_order(ordered); // again: still the first numbers
+    for (std::size_t f = 0; f < ordered.triangles.size(); ++f)
+        ASSERT_EQ(ordered.positions[ordered.triangles[f].x], mesh.positions[mesh.triangles[ordered.face_numbers[f]].x]);
+}
+
 TEST(CacheOrder, BringsRandomOrderNearTheRegularOne)
 {
     const Mesh regular = test::torus(700, 500);

@@ -32,6 +32,9 @@ struct Mesh {
     std::vector<vec4> colours;               ///< one per vertex, RGBA in [0,1], or empty
     std::vector<std::uint32_t> face_groups;  ///< one per triangle, an index into `group_names`, or empty
     std::vector<std::string> group_names;
+    /// The number that each triangle had where the mesh came from (a file's triangles in their order, polygons cut in theirs);
+    /// empty: its own.
+    std::vector<std::uint32_t> face_numbers;
     Polygons polygons;                       ///< empty where every face was a triangle
     std::vector<CreaseEdge> creases;
 

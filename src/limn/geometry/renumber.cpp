@@ -54,6 +54,10 @@ void reorder_faces(Mesh& mesh, std::span<const std::uint32_t> source)
     gather(mesh.corner_normals, source, 3);
     gather(mesh.corner_uvs, source, 3);
     gather(mesh.face_groups, source, 1);
+    if (mesh.face_numbers.empty())
+        mesh.face_numbers.assign(source.begin(), source.end());
+    else
+        gather(mesh.face_numbers, source, 1);
 }
 
 } // namespace limn

@@ -14,7 +14,7 @@ namespace limn {
 void renumber_vertices(Mesh& mesh, std::span<const std::uint32_t> number, std::size_t count);
 
 /// Puts the triangles, with their corner attributes and groups, into the order `source`: new triangle i is old triangle
-/// source[i]. Triangles that `source` leaves out go away. Polygons are left alone.
+/// source[i]. Triangles that `source` leaves out go away. Mesh::face_numbers keeps their old numbers. Polygons are left alone.
 void reorder_faces(Mesh& mesh, std::span<const std::uint32_t> source);
 
 } // namespace limn

@@ -161,7 +161,8 @@ ChainElements split_chains(const ViewContext& c, VisibilityRule rule, std::span<
 /// that contradicts its test costs its length and a change costs its price.
 class Decision {
 public:
-    Decision(std::span<Element> elements, const ChangePrices& prices) : elements_(elements), prices_(prices), from_(elements.size()) {}
+    /// @param cusp  price of a change at a cusp
+    Decision(std::span<Element> elements, const ChangePrices& prices, float cusp) : elements_(elements), prices_(prices), cusp_(cusp), from_(elements.size()) {}
 
     void open() { write(best(run(unary(0, 0), unary(0, 1)))); }
 
@@ -196,7 +197,7 @@ private:
         if (from == to)
             return 0;
         const Element& e = elements_[k];
-        return e.step * (e.cusp || (to == 1 ? e.may_hide : e.may_appear) ? prices_.expected : prices_.other);
+        return e.step * (e.cusp ? cusp_ : (to == 1 ? e.may_hide : e.may_appear) ? prices_.expected : prices_.other);
     }
     std::pair<float, float> run(float visible, float hidden)
     {
@@ -225,6 +226,7 @@ private:
     }
     std::span<Element> elements_;
     ChangePrices prices_;
+    float cusp_;
     std::vector<From> from_;
 };
 
@@ -387,7 +389,7 @@ ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::sp
     });
     parallel_each(chains.size(), 1, [&](std::size_t chain) {
         const std::span<Element> elements(result.elements.data() + result.start[chain], result.elements.data() + result.start[chain + 1]);
-        Decision decision(elements, prices);
+        Decision decision(elements, prices, rule == VisibilityRule::surface ? prices.turn : prices.expected);
         chains.closed[chain] ? decision.closed() : decision.open();
     });
     return with_exact_changes(std::move(result), chains, is_visible);

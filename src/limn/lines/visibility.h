@@ -47,6 +47,7 @@ struct ChainElements {
 struct ChangePrices {
     float expected = 0.5f; ///< at a cusp, or at a crossing in its direction
     float other = 2.0f;
+    float turn = 0;         ///< where a surface line turns away: its place is exact, and what lies behind it is surely hidden
 };
 
 /// Radial curvature at the ends of each link of contour chains, in the order of the links; smoothed along the chain.
