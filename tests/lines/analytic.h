@@ -90,7 +90,8 @@ inline LineModel torus_model(const Torus& torus, std::size_t triangles, double j
 inline dvec3 random_direction(std::mt19937& random)
 {
     std::normal_distribution<double> normal;
-    return glm::normalize(dvec3(normal(random), normal(random), normal(random)));
+    const double z = normal(random), y = normal(random), x = normal(random); // in statements: compilers order arguments differently
+    return glm::normalize(dvec3(x, y, z));
 }
 
 /// An eye at a world position, or the direction towards it.

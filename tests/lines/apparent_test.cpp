@@ -72,7 +72,9 @@ TEST(ApparentRidge, FormulaOfTheSlopeAgreesWithFiniteDifferences)
     std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi), coordinate(-4, 4);
     int tested = 0;
     while (tested < 300) {
-        const dvec3 uv(angle(random), angle(random), 0), eye(coordinate(random), coordinate(random), coordinate(random));
+        const double v = angle(random), u = angle(random); // in statements: compilers order arguments differently
+        const double z = coordinate(random), y = coordinate(random), x = coordinate(random);
+        const dvec3 uv(u, v, 0), eye(x, y, z);
         const bool orthographic = tested % 2;
         const SurfacePoint s = shape_point("bumpy-torus", uv);
         const Sight to_eye = sight(s, eye, orthographic);
