@@ -12,28 +12,19 @@
 #include "limn/surface/shapes.h"
 #include "lines/cameras.h"
 #include "lines/edge_shapes.h"
+#include "lines/every_line.h"
 
 namespace limn {
 namespace {
 
 using namespace test;
 
-/// Every kind of line.
-const LineOptions every_line = [] {
-    std::vector<LineType> types;
-    for (int i = 0; i < line_type_count; ++i)
-        types.push_back(LineType(i));
-    LineOptions options;
-    options.lines.swap(types);
-    return options;
-}();
-
 Drawing drawing_of(const Mesh& mesh, const Camera& camera)
 {
     const PreparedMesh prepared = prepare_mesh(mesh);
     const PlacedSurface placed = prepared.placed();
     const LineModel model = build_line_model({&placed, 1});
-    return draw_lines(model, build_ray_scene(model), camera, every_line);
+    return draw_lines(model, build_ray_scene(model), camera, every_line());
 }
 
 struct TypeTotals {

@@ -12,6 +12,7 @@
 #include "lines/analytic.h"
 #include "lines/cameras.h"
 #include "lines/edge_shapes.h"
+#include "lines/every_line.h"
 
 namespace limn {
 namespace {
@@ -20,11 +21,7 @@ using namespace test;
 
 /// Every kind of line, speckles too.
 const LineOptions everything = [] {
-    std::vector<LineType> types;
-    for (int i = 0; i < line_type_count; ++i)
-        types.push_back(LineType(i));
-    LineOptions options;
-    options.lines.swap(types);
+    LineOptions options = every_line();
     options.min_length = 0;
     return options;
 }();

@@ -8,6 +8,8 @@
 namespace limn {
 namespace {
 
+constexpr double most_samples = 4096; ///< of one piece; more than any picture has pixels across is not needed
+
 /// A point of a line with the ink around it, about one pixel of length.
 struct Sample {
     dvec2 pixel;
@@ -25,7 +27,8 @@ std::vector<Sample> carried(const Stroke& stroke, const Camera& camera)
         const double length = glm::distance(a.pixel, b.pixel);
         if (!(length > 0) || a.depth <= 0 || b.depth <= 0)
             continue;
-        const int count = int(std::ceil(length));
+        // A piece that nearly touches the eye's plane may project to any length.
+        const int count = int(std::ceil(std::min(length, most_samples)));
         for (int k = 0; k < count; ++k) {
             const double t = (k + 0.5) / count;
             samples.push_back({glm::mix(a.pixel, b.pixel, t), glm::mix(double(stroke.ink[i]), double(stroke.ink[j]), t) * length / count});

@@ -25,7 +25,7 @@ struct LineOptions {
     double fade = 5;                 ///< full ink from `fade` limits above a limit; 0: no fading
     double speed_limit = 0;          ///< drop suggestive lines faster than this (model radii per radius of camera motion); 0: off
     double crease_angle = 40;        ///< dihedral deviation from flat, degrees, from which an edge is a crease
-    FeatureSize feature_size;
+    FeatureSize feature_size = {};
     double min_length = 10;          ///< drop strokes with less ink than a full line of this length, px (contours, borders and creases stay)
     double tolerance = 0.1;          ///< simplification of strokes, px
     double sample_fraction = 0.01;   ///< stochastic: part of the candidate faces tested
