@@ -64,26 +64,42 @@ void match_bucket(std::span<const uvec3> triangles, std::span<EdgeEnd> bucket, s
     }
 }
 
+/// The half-edges of a face that lead from vertex v to a larger one, or back.
+void collect_half_edges(std::span<const uvec3> triangles, std::uint32_t face, std::uint32_t v, std::vector<EdgeEnd>& bucket)
+{
+    const uvec3& t = triangles[face];
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        if (std::min(a, b) == v && a != b)
+            bucket.push_back({std::max(a, b), 3 * face + std::uint32_t(k)});
+    }
+}
+
 } // namespace
 
-Adjacency build_adjacency(std::span<const uvec3> triangles, std::size_t vertex_count)
+Adjacency build_adjacency(std::span<const uvec3> triangles, const VertexFaces& around)
 {
-    const std::size_t half_edges = 3 * triangles.size();
     Adjacency adjacency;
-    adjacency.twin.assign(half_edges, none);
-    const Groups by_low = group_by(half_edges, vertex_count, [&](std::size_t h) { return std::min(corner(triangles, h), head(triangles, h)); });
-    parallel_blocks(vertex_count, 1024, [&](std::size_t begin, std::size_t end) {
+    adjacency.twin.assign(3 * triangles.size(), none);
+    parallel_blocks(around.start.size() - 1, 1024, [&](std::size_t begin, std::size_t end) {
         std::vector<EdgeEnd> bucket;
-        for (std::size_t v = begin; v < end; ++v) {
+        for (std::uint32_t v = std::uint32_t(begin); v < end; ++v) {
             bucket.clear();
-            for (std::uint32_t k = by_low.start[v]; k < by_low.start[v + 1]; ++k) {
-                const std::uint32_t h = by_low.item[k];
-                bucket.push_back({std::max(corner(triangles, h), head(triangles, h)), h});
+            std::uint32_t last = none; // a face that holds a vertex twice stands twice around it
+            for (std::uint32_t i = around.start[v]; i < around.start[v + 1]; ++i) {
+                if (around.face[i] != last)
+                    collect_half_edges(triangles, around.face[i], v, bucket);
+                last = around.face[i];
             }
             match_bucket(triangles, bucket, adjacency.twin);
         }
     });
     return adjacency;
+}
+
+Adjacency build_adjacency(std::span<const uvec3> triangles, std::size_t vertex_count)
+{
+    return build_adjacency(triangles, build_vertex_faces(triangles, vertex_count));
 }
 
 std::vector<std::uint32_t> find_shells(const Adjacency& adjacency)

@@ -23,9 +23,6 @@ struct Adjacency {
 
 inline std::uint32_t next_half_edge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
-/// Finds the twins of all half-edges; parallel, deterministic.
-/// @param vertex_count  every index in `triangles` is below it
-Adjacency build_adjacency(std::span<const uvec3> triangles, std::size_t vertex_count);
 
 /// Numbers the connected shells of faces (joined by twins) from 0 in the order of their first face.
 /// @return one shell number per face
@@ -36,6 +33,13 @@ struct VertexFaces {
     std::vector<std::uint32_t> start; ///< vertex_count + 1
     std::vector<std::uint32_t> face;
 };
+/// @param vertex_count  every index in `triangles` is below it
 VertexFaces build_vertex_faces(std::span<const uvec3> triangles, std::size_t vertex_count);
+
+/// Finds the twins of all half-edges; parallel, deterministic.
+/// @param around  build_vertex_faces of the same triangles
+Adjacency build_adjacency(std::span<const uvec3> triangles, const VertexFaces& around);
+/// The same where the faces around each vertex are not needed for anything else.
+Adjacency build_adjacency(std::span<const uvec3> triangles, std::size_t vertex_count);
 
 } // namespace limn

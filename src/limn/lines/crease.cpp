@@ -40,9 +40,11 @@ std::uint32_t longest_half_edge(const LineModel& model, std::uint32_t face)
 vec3 own_normal(const LineModel& model, std::uint32_t face)
 {
     const uvec3 t = model.faces[face];
-    const vec3 normal = glm::cross(model.positions[t.y] - model.positions[t.x], model.positions[t.z] - model.positions[t.x]);
+    const vec3 a = model.positions[t.y] - model.positions[t.x], b = model.positions[t.z] - model.positions[t.x], c = b - a;
+    const vec3 normal = glm::cross(a, b);
     const float twice_area = glm::length(normal);
-    return twice_area > least_height * edge_length(model, longest_half_edge(model, face)) ? normal / twice_area : vec3(0);
+    const float longest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
+    return twice_area > least_height * longest ? normal / twice_area : vec3(0);
 }
 
 std::vector<vec3> face_normals(const LineModel& model)
@@ -163,7 +165,9 @@ struct CreaseTest {
     std::vector<vec3> normals;
     std::vector<float> shell_radius;
     float limit, prominence;
+    float flat = std::min(1.0f, std::cos(limit) + 1e-4f); ///< normals with a larger cosine surely bend less than the limit
 
+    bool is_flat(std::uint32_t h, std::uint32_t g) const { return glm::dot(normals[h / 3], normals[g / 3]) > flat; }
     bool bends_enough(const FeatureEdge& edge) const { return std::abs(edge.angle) >= limit; }
     bool lies_in_rounding(const FeatureEdge& edge, std::uint32_t h) const;
 };
@@ -183,7 +187,7 @@ std::vector<FeatureEdge> paired_creases(const CreaseTest& test)
     return parallel_collect<FeatureEdge>(model.solid().twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t h = std::uint32_t(i), g = model.solid().twin[h];
-            if (g == none || g < h)
+            if (g == none || g < h || test.is_flat(h, g))
                 continue;
             const FeatureEdge edge = edge_between(model, test.normals, h, g);
             if (test.bends_enough(edge) && !test.lies_in_rounding(edge, h))

@@ -81,6 +81,42 @@ void tame_unused_vertices(LineModel& model)
     });
 }
 
+void find_split_edges(LineModel& model)
+{
+    model.split_edges.clear();
+    if (model.weld.empty())
+        return;
+    for (std::uint32_t h = 0; h < 3 * model.faces.size(); ++h)
+        if (const std::uint32_t g = model.welded_adjacency.twin[h]; g != none && h < g && model.adjacency.twin[h] == none)
+            model.split_edges.push_back(h);
+}
+
+/// Appends the twins of one object whose half-edges are numbered from `first` on.
+void append_twins(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& twins, std::uint32_t first)
+{
+    all.resize(first + twins.size());
+    parallel_each(twins.size(), grain, [&](std::size_t h) { all[first + h] = twins[h] == none ? none : twins[h] + first; });
+}
+
+/// connect_faces where each object's own connectivity is known: no edge joins two objects.
+void join_connectivities(LineModel& model, std::span<const PlacedSurface> placed)
+{
+    std::uint32_t shells = 0;
+    for (std::size_t object = 0; object < placed.size(); ++object) {
+        const Connectivity& own = *placed[object].connectivity;
+        const std::uint32_t first = 3 * model.first_face[object];
+        append_twins(model.adjacency.twin, own.smooth.twin, first);
+        if (!model.weld.empty())
+            append_twins(model.welded_adjacency.twin, (own.solid.twin.empty() ? own.smooth : own.solid).twin, first);
+        const std::uint32_t before = shells;
+        for (const std::uint32_t shell : own.shells) {
+            model.component.push_back(before + shell);
+            shells = std::max(shells, before + shell + 1);
+        }
+    }
+    find_split_edges(model);
+}
+
 } // namespace
 
 View LineModel::view(const Camera& camera) const
@@ -98,7 +134,6 @@ std::uint32_t LineModel::object_of_face(std::uint32_t face) const
 void connect_faces(LineModel& model)
 {
     const std::size_t vertices = model.vertex_count();
-    model.split_edges.clear();
     model.adjacency = build_adjacency(model.faces, vertices);
     if (!model.weld.empty()) {
         std::vector<uvec3> welded(model.faces.size());
@@ -107,11 +142,9 @@ void connect_faces(LineModel& model)
                 welded[f][k] = model.weld[model.faces[f][k]];
         });
         model.welded_adjacency = build_adjacency(welded, vertices);
-        for (std::uint32_t h = 0; h < 3 * model.faces.size(); ++h)
-            if (const std::uint32_t g = model.welded_adjacency.twin[h]; g != none && h < g && model.adjacency.twin[h] == none)
-                model.split_edges.push_back(h);
     }
     model.component = find_shells(model.solid());
+    find_split_edges(model);
 }
 
 LineModel build_line_model(std::span<const PlacedSurface> placed)
@@ -154,7 +187,10 @@ LineModel build_line_model(std::span<const PlacedSurface> placed)
     model.first_face.push_back(std::uint32_t(model.faces.size()));
     model.first_vertex.push_back(offset);
     tame_unused_vertices(model);
-    connect_faces(model);
+    if (std::all_of(placed.begin(), placed.end(), [](const PlacedSurface& p) { return p.connectivity != nullptr; }))
+        join_connectivities(model, placed);
+    else
+        connect_faces(model);
     return model;
 }
 

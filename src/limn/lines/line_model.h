@@ -10,6 +10,13 @@
 
 namespace limn {
 
+/// How the faces of one mesh hang together.
+struct Connectivity {
+    Adjacency smooth; ///< across edges where the surface is smooth
+    Adjacency solid;  ///< across every edge, creases too; empty where the mesh was not split along any
+    std::vector<std::uint32_t> shells; ///< find_shells across every edge
+};
+
 /// A mesh with its surface, put into the world.
 struct PlacedSurface {
     const Mesh* mesh = nullptr;
@@ -18,6 +25,7 @@ struct PlacedSurface {
     /// Per vertex the first vertex at the same place, where the mesh was split along its creases (split_at_creases);
     /// empty: every vertex is its own.
     std::span<const std::uint32_t> weld = {};
+    const Connectivity* connectivity = nullptr; ///< of the mesh, where it is known already
 };
 
 /// The eye in the frame of a LineModel.
@@ -66,7 +74,7 @@ struct LineModel {
 /// @throws Error::Input when a surface does not fit its mesh or no mesh is given.
 LineModel build_line_model(std::span<const PlacedSurface> placed);
 
-/// Fills what follows from `faces` and `weld`: neighbours, split edges and components.
+/// Fills what follows from `faces` and `weld` alone: neighbours, split edges and components.
 void connect_faces(LineModel& model);
 
 } // namespace limn

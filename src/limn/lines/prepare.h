@@ -21,10 +21,11 @@ struct PreparedMesh {
     Mesh mesh;       ///< split along its creases
     Surface surface; ///< one entry per vertex of the split mesh
     std::vector<std::uint32_t> weld;
+    Connectivity connectivity;
     EstimateReport report;
     bool from_cache = false; ///< the surface was found in the cache; `report` is then empty
 
-    PlacedSurface placed(const dmat4& transform = dmat4(1)) const { return {&mesh, &surface, transform, weld}; }
+    PlacedSurface placed(const dmat4& transform = dmat4(1)) const { return {&mesh, &surface, transform, weld, &connectivity}; }
 };
 
 /// Splits a mesh along its creases and estimates its surface: the way from a file's mesh to build_line_model.

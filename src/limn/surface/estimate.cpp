@@ -48,10 +48,11 @@ std::vector<vec3> max_normals(const Mesh& mesh)
     return to_float(max_vertex_normals(mesh, build_vertex_faces(mesh.triangles, mesh.positions.size())));
 }
 
-Surface estimate_surface(const Mesh& mesh, const EstimateOptions& options, EstimateReport* report)
+Surface estimate_surface(const Mesh& mesh, const EstimateOptions& options, EstimateReport* report, const VertexFaces* around)
 {
     check(options);
-    const VertexFaces faces = build_vertex_faces(mesh.triangles, mesh.positions.size());
+    const VertexFaces own = around ? VertexFaces{} : build_vertex_faces(mesh.triangles, mesh.positions.size());
+    const VertexFaces& faces = around ? *around : own;
     EstimateReport measured;
     Surface surface;
     if (options.need == Need::normals)

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "limn/base/options.h"
+#include "limn/geometry/adjacency.h"
 #include "limn/surface/surface.h"
 
 namespace limn {
@@ -37,7 +38,9 @@ struct EstimateReport {
 
 /// Estimates normals, curvature and its derivative at every vertex. Multi-threaded; same bytes for any number of threads.
 /// Vertices without faces get normal 0, curvature 0 and the flag `unreliable`.
-Surface estimate_surface(const Mesh& mesh, const EstimateOptions& options = {}, EstimateReport* report = nullptr);
+/// @param around  build_vertex_faces of the mesh where it is at hand; null: it is built here
+Surface estimate_surface(const Mesh& mesh, const EstimateOptions& options = {}, EstimateReport* report = nullptr,
+                         const VertexFaces* around = nullptr);
 
 /// Vertex normals by the weights of Max 1999 (area over squared edge lengths).
 std::vector<vec3> max_normals(const Mesh& mesh);

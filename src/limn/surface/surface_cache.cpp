@@ -135,7 +135,7 @@ std::optional<Surface> find(const std::filesystem::path& file, std::uint64_t key
 } // namespace
 
 CachedSurface estimate_surface_cached(const Mesh& mesh, const EstimateOptions& options, const std::filesystem::path& folder,
-                                      EstimateReport* report)
+                                      EstimateReport* report, const VertexFaces* around)
 {
     const std::uint64_t key = hash_of(mesh, options);
     const std::filesystem::path file = folder / fmt::format("{:016x}.limn-surface", key);
@@ -145,7 +145,7 @@ CachedSurface estimate_surface_cached(const Mesh& mesh, const EstimateOptions& o
     std::filesystem::create_directories(folder, failure);
     if (failure)
         throw Error::Write(fmt::format("{}: cannot be made: {}", folder.string(), failure.message()));
-    CachedSurface estimated = {estimate_surface(mesh, options, report), false};
+    CachedSurface estimated = {estimate_surface(mesh, options, report, around), false};
     write_file(file, to_bytes(estimated.surface, key));
     return estimated;
 }

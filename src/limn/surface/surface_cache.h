@@ -16,6 +16,6 @@ struct CachedSurface {
     bool from_cache = false;
 };
 CachedSurface estimate_surface_cached(const Mesh& mesh, const EstimateOptions& options, const std::filesystem::path& folder,
-                                      EstimateReport* report = nullptr);
+                                      EstimateReport* report = nullptr, const VertexFaces* around = nullptr);
 
 } // namespace limn
