@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/lines/draw.h"
+#include "limn/lines/slide.h"
 #include "limn/surface/estimate.h"
 #include "limn/surface/shapes.h"
 
@@ -117,41 +118,136 @@ TEST(Coherence, NoFramesAndNoLinesAreCalm)
     EXPECT_EQ(measure_coherence(std::vector<Drawing>(5)).flicker, 0);
 }
 
-/// Suggestive contours of an irregular torus with per-face tensors, while the eye turns by three degrees a frame.
-Coherence turning(const LineModel& model, bool limited)
+/// The exact surface of a shape, or one estimated with per-face tensors.
+struct Scene {
+    Shape shape;
+    LineModel model;
+    RayScene rays;
+    Scene(const ShapeOptions& options, bool tensors)
+        : shape(make_shape(options)), model(model_of(shape, tensors)), rays(build_ray_scene(model))
+    {
+    }
+
+private:
+    static LineModel model_of(const Shape& shape, bool tensors)
+    {
+        const Surface surface = tensors ? estimate_surface(shape.mesh, {.method = CurvatureMethod::tensor}) : shape.exact;
+        const PlacedSurface placed = {&shape.mesh, &surface};
+        return build_line_model({&placed, 1});
+    }
+};
+
+/// 20 drawings while the eye turns about the vertical axis.
+std::vector<Drawing> turning(const Scene& scene, const LineOptions& options, double degrees)
 {
-    const RayScene rays = build_ray_scene(model);
-    LineOptions options;
-    options.lines.assign(1, LineType::suggestive);
-    if (!limited)
-        options.suggestive_limit = options.fade = 0;
-    const LineFeatures features = find_line_features(model, options);
+    const LineFeatures features = find_line_features(scene.model, options);
     std::vector<Drawing> frames;
     for (int i = 0; i < 20; ++i) {
-        const double a = 3 * i * std::numbers::pi / 180;
+        const double a = degrees * i * std::numbers::pi / 180;
         Camera camera;
         camera.eye = {4 * std::cos(a), 4 * std::sin(a), 2.5};
         camera.up = {0, 0, 1};
         camera.size = {1200, 900};
-        frames.push_back(draw_lines(model, rays, features, camera, options));
+        frames.push_back(draw_lines(scene.model, scene.rays, features, camera, options));
     }
-    return measure_coherence(frames);
+    return frames;
 }
 
-// Checklist 27 (i), (iv): limits and fading calm the lines of an irregular mesh at least twofold.
+LineOptions only(LineType type)
+{
+    LineOptions options;
+    options.lines.assign(1, type);
+    return options;
+}
+
+LineOptions unlimited(LineType type)
+{
+    LineOptions options = only(type);
+    options.suggestive_limit = options.highlight_limit = options.fade = 0;
+    return options;
+}
+
+Coherence measure(const Scene& scene, const std::vector<Drawing>& frames)
+{
+    CoherenceOptions options;
+    options.slide = [&](const Stroke& stroke, std::size_t point, const Camera& from, const Camera& to) {
+        return slide_of_line(scene.model, stroke, point, from, to);
+    };
+    return measure_coherence(frames, options);
+}
+
+void report(const std::string& what, const Coherence& c)
+{
+    fmt::print("[ coherence ] {}: flicker {:.4f}, displacement {:.3f} px, unpredicted {:.3f} px, ink variation {:.4f}, micro-strokes {:.2f} of {:.1f}\n", what,
+               c.flicker, c.displacement, c.unpredicted, c.ink_variation, c.micro_strokes, c.strokes);
+}
+
+const ShapeOptions irregular = {.name = "bumpy-torus", .triangles = 36864, .jitter = 0.2};
+
+// Checklist 27 (i), (iii), (iv): limits and fading calm the lines of an irregular mesh, at least twofold where they flicker.
 TEST(Coherence, LimitsAndFadingCalmAnIrregularMesh)
 {
-    const Shape shape = make_shape({.name = "bumpy-torus", .triangles = 36864, .jitter = 0.2});
-    const Surface surface = estimate_surface(shape.mesh, {.method = CurvatureMethod::tensor});
-    const PlacedSurface placed = {&shape.mesh, &surface};
-    const LineModel model = build_line_model({&placed, 1});
-    const Coherence plain = turning(model, false), limited = turning(model, true);
+    const Scene scene(irregular, true);
+    const Coherence plain = measure(scene, turning(scene, unlimited(LineType::suggestive), 3)),
+                    limited = measure(scene, turning(scene, only(LineType::suggestive), 3));
+    report("suggestive contours without limit", plain);
+    report("with limit and fading", limited);
     EXPECT_LE(limited.flicker, 0.5 * plain.flicker);
     EXPECT_LE(limited.micro_strokes, 0.5 * plain.micro_strokes);
     EXPECT_GT(plain.micro_strokes, 0.5);
     EXPECT_GT(limited.strokes, 8) << "calm, but not empty";
-    RecordProperty("flicker", fmt::format("{:.4f} {:.4f}", plain.flicker, limited.flicker));
-    RecordProperty("micro_strokes", fmt::format("{:.2f} {:.2f}", plain.micro_strokes, limited.micro_strokes));
+}
+
+// Checklist 27 (ii): what is left of the displacement after the speed formula's share.
+TEST(Coherence, SuggestiveLinesMoveAsTheSpeedFormulaPredicts)
+{
+    const Scene scene({.name = "bumpy-torus", .triangles = 150000, .float_positions = false}, false);
+    for (const LineType type : {LineType::suggestive, LineType::highlight}) {
+        const Coherence c = measure(scene, turning(scene, unlimited(type), 0.5));
+        report(std::string(line_type_name(type)) + " of exact curvature", c);
+        EXPECT_GT(c.displacement, 0.1) << line_type_name(type);
+        EXPECT_LE(c.unpredicted, 0.25 * c.displacement) << line_type_name(type);
+    }
+}
+
+// They slide along the line of sight, so that the picture sees only the second order.
+TEST(Coherence, ContoursHardlyMoveOnASmoothSurface)
+{
+    const Scene scene({.name = "bumpy-torus", .triangles = 150000, .float_positions = false}, false);
+    const Coherence c = measure(scene, turning(scene, only(LineType::contour), 0.5));
+    report("contour of exact normals", c);
+    EXPECT_LE(c.displacement, 0.05);
+    EXPECT_LE(c.unpredicted, 0.05);
+}
+
+TEST(Coherence, LinesOfASineSheetStayAndArePredictedToStay)
+{
+    const Scene scene({.name = "sine-sheet", .triangles = 20000, .float_positions = false}, false);
+    const Coherence c = measure(scene, turning(scene, unlimited(LineType::highlight), 0.5));
+    report("suggestive highlights of the sine sheet", c);
+    EXPECT_GT(c.strokes, 1);
+    EXPECT_LE(c.displacement, 0.02);
+    EXPECT_LE(c.unpredicted, 0.02);
+}
+
+// Checklist 27 for every object-space method, and 8: contours on mesh edges jump, interpolated ones slide.
+TEST(Coherence, MethodsRankAsTheSpecificationFinds)
+{
+    const Scene scene({.name = "bumpy-torus", .triangles = 4000, .jitter = 0.2}, true);
+    const Coherence interpolated = measure(scene, turning(scene, only(LineType::contour), 1)),
+                    edges = measure(scene, turning(scene, only(LineType::mesh_contour), 1)),
+                    highlights = measure(scene, turning(scene, only(LineType::highlight), 1));
+    LineOptions some = only(LineType::suggestive);
+    some.method = ExtractMethod::stochastic;
+    const Coherence all = measure(scene, turning(scene, only(LineType::suggestive), 1)), sampled = measure(scene, turning(scene, some, 1));
+    report("M1 interpolated contours", interpolated);
+    report("M2 mesh-edge contours", edges);
+    report("M3+ suggestive contours", all);
+    report("M4 suggestive highlights", highlights);
+    report("M5 stochastic suggestive contours", sampled);
+    EXPECT_GT(edges.flicker, 5 * interpolated.flicker);
+    EXPECT_GT(edges.ink_variation, 3 * interpolated.ink_variation);
+    EXPECT_GE(sampled.flicker, all.flicker);
 }
 
 } // namespace

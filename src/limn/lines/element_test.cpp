@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "limn/lines/face_point.h"
+
 namespace limn {
 namespace {
 
@@ -26,13 +28,8 @@ vec3 face_normal(const LineModel& m, std::uint32_t face)
 float facing_in_face(const LineModel& model, std::span<const float> facing, std::uint32_t face, const vec3& p)
 {
     const uvec3& t = model.faces[face];
-    const vec3 o = model.positions[t.x], a = model.positions[t.y] - o, b = model.positions[t.z] - o, d = p - o;
-    const float aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b), da = glm::dot(d, a), db = glm::dot(d, b);
-    const float area = aa * bb - ab * ab;
-    if (!(area > 0))
-        return facing[t.x];
-    const float u = (bb * da - ab * db) / area, v = (aa * db - ab * da) / area;
-    return (1 - u - v) * facing[t.x] + u * facing[t.y] + v * facing[t.z];
+    const vec3 weights = weights_in_face(model, face, p);
+    return weights.x * facing[t.x] + weights.y * facing[t.y] + weights.z * facing[t.z];
 }
 
 bool bends_away(const LineModel& m, const Segment& s)
