@@ -43,7 +43,7 @@ void run(const InfoCommand& command)
     Stopwatch watch;
     Console console(command.quiet);
     // Nothing is cleaned away, so that what the file holds is what is told.
-    const ReadResult read = read_mesh_with_notes(command.file, {.format = command.from, .clean = false, .cache_order = false});
+    const ReadResult read = read_mesh_with_notes(command.file, {.format = command.from, .clean = false, .orient = false, .cache_order = false});
     const double read_seconds = watch.lap();
     const Diagnosis diagnosis = diagnose(read.mesh);
     const double diagnose_seconds = watch.lap();

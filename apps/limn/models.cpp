@@ -8,7 +8,9 @@
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
+#include "limn/geometry/diagnose.h"
 #include "limn/geometry/read_mesh.h"
+#include "limn/geometry/unpaired_edges.h"
 
 using namespace limn;
 
@@ -34,33 +36,14 @@ PreparedMesh load(const std::string& file, const ModelOptions& options, Input& i
     return prepared;
 }
 
-/// The vertices of the half-edges without a twin, lower one first, sorted: equal pairs lie side by side.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> unpaired_edges(const LineModel& model, std::uint32_t first, std::uint32_t end)
+/// The edges of an object that are not as they should be, as a diagnosis counts them.
+Diagnosis count_unpaired(const LineModel& model, std::uint32_t first, std::uint32_t end)
 {
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    std::vector<Edge> edges = parallel_collect<Edge>(end - first, 1 << 15, [&](std::size_t from, std::size_t to, std::vector<Edge>& out) {
-        for (std::uint32_t f = first + std::uint32_t(from); f < first + to; ++f)
-            for (std::uint32_t k = 0; k < 3; ++k)
-                if (model.solid().twin[3 * f + k] == none)
-                    out.push_back(std::minmax({model.welded(model.faces[f][int(k)]), model.welded(model.faces[f][int((k + 1) % 3)])}));
+    Diagnosis counts;
+    const auto corner = [&](std::uint32_t h) { return model.welded(model.faces[h / 3][int(h % 3)]); };
+    for_each_unpaired(find_unpaired_edges(model.solid(), 3 * first, 3 * end, corner), [&](const UnpairedEdge*, std::size_t count) {
+        ++(count == 1 ? counts.border_edges : count == 2 ? counts.misoriented_edges : counts.non_manifold_edges);
     });
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
-struct EdgeCounts {
-    std::size_t border = 0, irregular = 0;
-};
-
-EdgeCounts count_unpaired(const LineModel& model, std::uint32_t first, std::uint32_t end)
-{
-    EdgeCounts counts;
-    const auto edges = unpaired_edges(model, first, end);
-    for (auto at = edges.begin(); at != edges.end();) {
-        const auto next = std::find_if(at, edges.end(), [&](const auto& edge) { return edge != *at; });
-        ++(next - at == 1 ? counts.border : counts.irregular);
-        at = next;
-    }
     return counts;
 }
 
@@ -91,15 +74,9 @@ Bounds Models::bounds() const
 std::vector<std::string> topology_notes(const LineModel& model, std::size_t object)
 {
     const std::uint32_t first = model.first_face[object], end = model.first_face[object + 1];
-    const EdgeCounts edges = count_unpaired(model, first, end);
-    std::vector<std::string> notes;
-    const auto note = [&](std::size_t count, std::string_view noun) {
-        if (count > 0)
-            notes.push_back(counted(count, noun));
-    };
-    note(edges.border, "border edge");
-    note(edges.irregular, "non-manifold edge");
-    note(count_flat_faces(model, first, end), "zero-area face");
+    std::vector<std::string> notes = complaints(count_unpaired(model, first, end));
+    if (const std::size_t flat = count_flat_faces(model, first, end); flat > 0)
+        notes.push_back(counted(flat, "zero-area face"));
     return notes;
 }
 
