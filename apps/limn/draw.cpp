@@ -75,6 +75,9 @@ void number_faces_as_in_files(Drawing& drawing, const std::vector<Input>& inputs
                     face = numbers[face];
 }
 
+/// Part of a run's time that goes by before its first view; for the progress.
+double preparing(const DrawCommand& command) { return command.turntable > 10 ? 0.3 : 0.9; }
+
 Drawing draw_view(const Stage& stage, Progress& progress)
 {
     DrawnView& view = progress.next();
@@ -92,9 +95,8 @@ Drawing draw_sheet(const Stage& stage, const Sheet& sheet, Progress& progress, C
 {
     std::vector<Drawing> pictures;
     for (std::size_t i = 0; i < sheet.cameras.size(); ++i) {
-        const std::size_t views = progress.views.size();
-        if (views > 1)
-            console.progress(fmt::format("view {} of {}", progress.drawn + 1, views), 0.3 + 0.7 * double(progress.drawn) / double(views));
+        const double views = double(progress.views.size()), prepared = preparing(stage.command);
+        console.progress(fmt::format("drawing view {} of {}", progress.drawn + 1, views), prepared + (1 - prepared) * double(progress.drawn) / views);
         pictures.push_back(draw_view(stage, progress));
         pictures.back().mm_per_pixel = sheet.mm_per_pixel;
     }
@@ -210,6 +212,7 @@ void run(DrawCommand& command)
     if (outputs.empty() && !command.common.json)
         throw Error::Input("nothing to do: give -o FILE (svg, pdf, png, dxf, json, ply) or --json");
     check_turntable(command, outputs);
+    check_cpu_only(command.common, "draw");
     check_view_options(command.view);
     Console console(command.common.quiet);
 
@@ -217,11 +220,13 @@ void run(DrawCommand& command)
         command.lines.lines.push_back(LineType::highlight);
     command.model.prepare.estimate.need = surface_need(command.lines);
     command.model.prepare.crease.angle = command.lines.crease_angle;
-    const Models models = prepare_models(command.model, console);
+    const Models models = prepare_models(command.model, console, 0.8 * preparing(command));
     Progress progress;
     Stopwatch watch;
+    console.progress("building the ray tracer's tree", 0.8 * preparing(command));
     const RayScene rays = build_ray_scene(models.lines);
     progress.times.rays = watch.lap();
+    console.progress("finding creases and borders", 0.95 * preparing(command));
     const Stage stage = {command, models, rays, find_line_features(models.lines, command.lines, std::max(command.turntable, 1)), seen_scene(models.lines, rays)};
     progress.times.features = watch.lap();
     const std::vector<Sheet> sheets = all_sheets(command, models);

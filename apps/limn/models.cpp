@@ -1,6 +1,7 @@
 #include "models.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -16,8 +17,11 @@ using namespace limn;
 
 namespace {
 
-PreparedMesh load(const std::string& file, const ModelOptions& options, Input& input, Models& models)
+/// @param tell  tell(what, part of this file's work)
+template <class Tell> PreparedMesh load(const std::string& file, const ModelOptions& options, Input& input, Models& models, Tell&& tell)
 {
+    const std::string name = file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+    tell("reading " + name, 0.0);
     Stopwatch watch;
     ReadResult read = read_mesh_with_notes(file, {.format = options.from});
     models.read_seconds += watch.lap();
@@ -29,6 +33,7 @@ PreparedMesh load(const std::string& file, const ModelOptions& options, Input& i
              read.notes,
              std::nullopt,
              std::move(read.mesh.face_numbers)};
+    tell("estimating the surface of " + name, 0.3);
     PreparedMesh prepared = prepare_mesh(std::move(read.mesh), options.prepare);
     if (!prepared.from_cache && options.prepare.estimate.need != Need::normals)
         input.estimate = prepared.report;
@@ -82,14 +87,16 @@ std::vector<std::string> topology_notes(const LineModel& model, std::size_t obje
 
 std::string input_format(const std::string& file, const std::string& from) { return from.empty() ? file_ending(file) : from; }
 
-Models prepare_models(const ModelOptions& options, Console& console)
+Models prepare_models(const ModelOptions& options, Console& console, double share)
 {
+    const double for_files = 0.85 * share / double(options.files.size());
     Models models;
     std::vector<PreparedMesh> loaded;
     for (const std::string& file : options.files) {
-        console.progress("reading " + file, 0.3 * double(loaded.size()) / double(options.files.size()));
-        loaded.push_back(load(file, options, models.inputs.emplace_back(), models));
+        const auto tell = [&](const std::string& what, double part) { console.progress(what, for_files * (double(loaded.size()) + part)); };
+        loaded.push_back(load(file, options, models.inputs.emplace_back(), models, tell));
     }
+    console.progress("joining faces", 0.85 * share);
     Stopwatch watch;
     std::vector<PlacedSurface> placed;
     for (const PreparedMesh& model : loaded)
