@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "bench_lines.h"
+#include "common.h"
 #include "console.h"
 #include "limn/base/error.h"
 #include "limn/base/file.h"
@@ -18,15 +19,16 @@ using namespace limn;
 namespace {
 
 constexpr const char* examples = R"(Examples:
-  limn bench lines                                     all tables, to standard output
-  limn bench lines --sizes 20k,200k,2M -o bench.md     replaces the section 'lines' of the file, keeps the others)";
+  limn bench lines                                    all tables, to standard output
+  limn bench lines --sizes 20k,2M -o bench.md         replaces the section 'lines' of the file)";
+
+const std::vector<std::string> formats = {"md", "json"};
 
 struct BenchCommand {
-    std::string what, output;
+    CommonOptions common;
+    std::string what;
     std::vector<std::string> sizes = {"20k", "100k", "500k", "1M", "2M"};
     LineBench lines;
-    int threads = 0;
-    bool quiet = false;
 };
 
 /// "20k", "1.5M", "3000".
@@ -44,6 +46,21 @@ std::size_t parse_size(const std::string& text)
     return std::size_t(value);
 }
 
+void write_output(const BenchCommand& command, const Output& output, const std::vector<LineMeasures>& measures)
+{
+    if (output.format == "json") {
+        write_file(output.path, bench_json(command.lines, measures));
+        return;
+    }
+    const std::string text = bench_text(command.lines, measures);
+    if (output.path == "-") {
+        write_file("-", text);
+        return;
+    }
+    const std::string before = std::filesystem::exists(output.path) ? read_file(output.path) : "";
+    write_file(output.path, with_section(before, command.what, text));
+}
+
 void run(BenchCommand& command)
 {
     if (command.what != "lines")
@@ -51,15 +68,18 @@ void run(BenchCommand& command)
     command.lines.sizes.clear();
     for (const std::string& size : command.sizes)
         command.lines.sizes.push_back(parse_size(size));
-    Console console(command.quiet);
-    const std::string report = bench_lines(command.lines, console);
-    if (command.output.empty() || command.output == "-") {
-        write_file("-", report);
-        return;
-    }
-    const std::string before = std::filesystem::exists(command.output) ? read_file(command.output) : "";
-    write_file(command.output, with_section(before, command.what, report));
-    console.finish("wrote " + command.output);
+    std::vector<Output> outputs = checked_outputs(command.common, formats);
+    if (outputs.empty() && !command.common.json)
+        outputs.push_back({"-", "md"});
+    check_cpu_only(command.common, "bench");
+    const Stopwatch watch;
+    Console console(command.common.quiet);
+    const std::vector<LineMeasures> measures = bench_lines(command.lines, console);
+    for (const Output& output : outputs)
+        write_output(command, output, measures);
+    if (command.common.json)
+        write_file("-", bench_json(command.lines, measures));
+    console.finish(fmt::format("measured {}: {}, {}", command.what, counted(measures.size(), "model"), seconds_text(watch.total())));
 }
 
 } // namespace
@@ -73,8 +93,7 @@ Subcommand add_bench(CLI::App& limn)
     app->add_option("--sizes", command->sizes, "numbers of triangles (default 20k,100k,500k,1M,2M)")->delimiter(',')->type_name("N,N,...");
     app->add_option("--models", command->lines.models, "shapes of 'limn sample' (default torus,blob)")->delimiter(',')->type_name("NAME,...");
     app->add_option("--views", command->lines.views, "views to take medians over (default 21)")->check(CLI::Range(1, 10000))->type_name("N");
-    app->add_option("-o", command->output, "markdown file whose section is replaced (default: standard output)")->type_name("FILE");
-    app->add_option("--threads", command->threads, "threads to use (default: all)")->check(CLI::Range(1, 4096))->type_name("N");
-    app->add_flag("--quiet", command->quiet, "no progress and no last line");
-    return {app, [command] { with_threads(command->threads, [&] { run(*command); }); }};
+    add_common_options(*app, command->common,
+                       "file to write: md, whose section is replaced, or json; may be given several times (default: standard output)");
+    return {app, [command] { with_threads(command->common.threads, [&] { run(*command); }); }};
 }

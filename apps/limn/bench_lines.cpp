@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <tbb/task_arena.h>
 
 #include "bench_table.h"
@@ -188,21 +189,19 @@ class Ladder {
 public:
     Ladder(const std::string& model, const LineBench& bench, Console& console) : model_(model), bench_(bench), console_(console) {}
 
-    std::string text()
+    /// @param first, share  where this model's part of the run begins, and how large it is
+    LineMeasures climb(double first, double share)
     {
-        for (const std::size_t size : bench_.sizes)
-            measure(size);
-        std::string out = fmt::format("### {}\n\nContours and suggestive contours of one view, milliseconds:\n\n{}", model_, extraction_.text());
-        out += exponents();
-        out += fmt::format("\nWhole further views (extract, visibility, chains and strokes), milliseconds:\n\n{}", views_.text());
-        out += fmt::format("\nOne run from a binary PLY file to an SVG file (default lines, no clusters), seconds:\n\n{}\n", runs_.text());
-        return out;
+        for (std::size_t i = 0; i < bench_.sizes.size(); ++i) {
+            console_.progress(fmt::format("{}, {} triangles", model_, bench_.sizes[i]), first + share * double(i) / double(bench_.sizes.size()));
+            measure(bench_.sizes[i]);
+        }
+        return {model_, extraction_, views_, runs_, exponents()};
     }
 
 private:
     void measure(std::size_t size)
     {
-        console_.progress(fmt::format("{}, {} triangles", model_, size), double(sizes_.size()) / double(bench_.sizes.size()));
         const Subject s = make_subject(model_, size);
         const double n = double(s.model.faces.size());
         const std::string count = with_thousands(s.model.faces.size());
@@ -224,7 +223,7 @@ private:
     {
         if (sizes_.size() < 2)
             return "";
-        return fmt::format("\nTime grows as triangles to the power of {} (flat), {} (clustered), {} (bounded).\n", number(scaling_exponent(sizes_, flat_)),
+        return fmt::format("Time grows as triangles to the power of {} (flat), {} (clustered), {} (bounded).", number(scaling_exponent(sizes_, flat_)),
                            number(scaling_exponent(sizes_, clustered_)), number(scaling_exponent(sizes_, bounded_)));
     }
 
@@ -238,9 +237,29 @@ private:
     MarkdownTable runs_{{"triangles", "read", "surface", "merge", "rays", "draw", "write", "total"}};
 };
 
+nlohmann::ordered_json json_of(const MarkdownTable& table)
+{
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (std::size_t r = 1; r < table.rows().size(); ++r) {
+        nlohmann::ordered_json& row = rows.emplace_back(nlohmann::ordered_json::object());
+        for (std::size_t k = 0; k < table.rows()[r].size(); ++k)
+            row[table.rows()[0][k]] = table.rows()[r][k];
+    }
+    return rows;
+}
+
 } // namespace
 
-std::string bench_lines(const LineBench& bench, Console& console)
+std::vector<LineMeasures> bench_lines(const LineBench& bench, Console& console)
+{
+    std::vector<LineMeasures> measures;
+    const double share = 1 / double(bench.models.size());
+    for (const std::string& model : bench.models)
+        measures.push_back(Ladder(model, bench, console).climb(share * double(measures.size()), share));
+    return measures;
+}
+
+std::string bench_text(const LineBench& bench, const std::vector<LineMeasures>& measures)
 {
     std::string out = fmt::format("## Lines\n\n`limn bench lines`, version {}, {}, {} threads. Shapes of `limn sample` without jitter; jets of double positions. "
                                   "Medians of {} views; the variants take turns view by view in one run, so that each finds the caches as the others left them. "
@@ -248,7 +267,26 @@ std::string bench_lines(const LineBench& bench, Console& console)
                                   "hold a line are passed over; *automatic*: bounded, unless more than half of the clusters survived in the view before. All four "
                                   "give the same segments.\n\n",
                                   LIMN_VERSION, machine_name(), tbb::this_task_arena::max_concurrency(), bench.views);
-    for (const std::string& model : bench.models)
-        out += Ladder(model, bench, console).text();
+    for (const LineMeasures& m : measures) {
+        out += fmt::format("### {}\n\nContours and suggestive contours of one view, milliseconds:\n\n{}", m.model, m.extraction.text());
+        if (!m.exponents.empty())
+            out += fmt::format("\n{}\n", m.exponents);
+        out += fmt::format("\nWhole further views (extract, visibility, chains and strokes), milliseconds:\n\n{}", m.views.text());
+        out += fmt::format("\nOne run from a binary PLY file to an SVG file (default lines, no clusters), seconds:\n\n{}\n", m.runs.text());
+    }
     return out;
+}
+
+std::string bench_json(const LineBench& bench, const std::vector<LineMeasures>& measures)
+{
+    nlohmann::ordered_json json = {{"limn", LIMN_VERSION},
+                                   {"command", "bench"},
+                                   {"what", "lines"},
+                                   {"machine", machine_name()},
+                                   {"threads", tbb::this_task_arena::max_concurrency()},
+                                   {"views", bench.views}};
+    for (const LineMeasures& m : measures)
+        json["models"].push_back(
+            {{"model", m.model}, {"extraction_ms", json_of(m.extraction)}, {"views_ms", json_of(m.views)}, {"runs_s", json_of(m.runs)}});
+    return json.dump(2) + "\n";
 }

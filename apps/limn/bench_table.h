@@ -9,6 +9,7 @@ public:
     explicit MarkdownTable(std::vector<std::string> header) : rows_{std::move(header)} {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
     std::string text() const;
+    const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
 private:
     std::vector<std::vector<std::string>> rows_; ///< the header first

@@ -21,13 +21,19 @@ void add_common_options(CLI::App& app, CommonOptions& options, const std::string
         ->type_name("N")
         ->check(CLI::Range(0, 1024))
         ->group(group);
-    app.add_option("--device", options.device, "cpu|auto: where to compute; so far always on the CPU")
+    app.add_option("--device", options.device, "cpu|gpu|auto: where to compute (default auto: on the CPU, where all is done so far)")
         ->type_name("DEVICE")
-        ->check(CLI::IsMember({"cpu", "auto"}))
+        ->check(CLI::IsMember({"cpu", "gpu", "auto"}))
         ->group(group);
     app.add_flag("--json", options.json, "print a report as JSON on standard output")->group(group);
     app.add_flag("--strict", options.strict, "treat a warning as an error: write nothing, exit 1")->group(group);
     app.add_flag("--quiet", options.quiet, "print nothing but warnings and errors")->group(group);
+}
+
+void check_cpu_only(const CommonOptions& options, std::string_view command)
+{
+    if (options.device == "gpu")
+        throw Error::Device(fmt::format("--device gpu: 'limn {}' computes on the CPU only; leave --device out, or say cpu", command));
 }
 
 std::vector<Output> checked_outputs(const CommonOptions& options, const std::vector<std::string>& known)

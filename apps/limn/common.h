@@ -15,8 +15,11 @@ struct CommonOptions {
     bool quiet = false, json = false, strict = false;
 };
 
-/// -o, --to, --threads, --quiet, --json, --strict.
+/// -o, --to, --threads, --device, --json, --strict, --quiet.
 void add_common_options(CLI::App& app, CommonOptions& options, const std::string& output_help);
+
+/// @throws limn::Error::Device where --device asks for what a command that computes on the CPU alone has not.
+void check_cpu_only(const CommonOptions& options, std::string_view command);
 
 /// A file to write and the format to write it in.
 struct Output {

@@ -1,6 +1,5 @@
 #include "console.h"
 
-#include <cstdio>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -15,39 +14,66 @@ double Stopwatch::lap()
 
 double Stopwatch::total() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-Console::Console(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1) {}
+Console::Console(bool quiet, std::FILE* stream, double patience) : quiet_(quiet), stream_(stream)
+{
+    if (quiet || ::isatty(::fileno(stream)) != 1)
+        return;
+    waiting_ = std::jthread([this, patience](std::stop_token stop) {
+        std::unique_lock lock(lock_);
+        stopped_.wait_for(lock, stop, std::chrono::duration<double>(patience), [] { return false; });
+        patient_ = false;
+        if (!stop.stop_requested())
+            show_bar();
+    });
+}
 
-Console::~Console() { clear_bar(); }
+Console::~Console()
+{
+    const std::lock_guard guard(lock_);
+    clear_bar();
+    doing_.clear();
+}
 
 void Console::clear_bar()
 {
     if (bar_shown_)
-        fmt::print(stderr, "\r\x1b[K");
+        fmt::print(stream_, "\r\x1b[K");
     bar_shown_ = false;
+}
+
+void Console::show_bar()
+{
+    constexpr int cells = 30;
+    if (patient_ || doing_.empty())
+        return;
+    const int full = int(part_ * cells);
+    fmt::print(stream_, "\r\x1b[K[{:#<{}}{:.<{}}] {}", "", full, "", cells - full, doing_);
+    std::fflush(stream_);
+    bar_shown_ = true;
 }
 
 void Console::warn(std::string_view line)
 {
+    const std::lock_guard guard(lock_);
     clear_bar();
-    fmt::print(stderr, "limn: warning: {}\n", line);
+    fmt::print(stream_, "limn: warning: {}\n", line);
 }
 
 void Console::progress(std::string_view what, double part)
 {
-    constexpr int cells = 30;
-    if (quiet_ || !terminal_ || since_start_.total() < 1)
-        return;
-    const int full = int(part * cells);
-    fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {}", "", full, "", cells - full, what);
-    std::fflush(stderr);
-    bar_shown_ = true;
+    const std::lock_guard guard(lock_);
+    doing_ = what;
+    part_ = part;
+    show_bar();
 }
 
 void Console::finish(std::string_view line)
 {
+    const std::lock_guard guard(lock_);
     clear_bar();
+    doing_.clear();
     if (!quiet_)
-        fmt::print(stderr, "limn: {}\n", line);
+        fmt::print(stream_, "limn: {}\n", line);
 }
 
 std::string with_thousands(std::size_t n)

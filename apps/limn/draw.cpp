@@ -8,6 +8,7 @@
 #include "common.h"
 #include "console.h"
 #include "draw_report.h"
+#include "eyes.h"
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
@@ -55,6 +56,15 @@ struct Stage {
     SeenScene seen;
 };
 
+/// What is kept from view to view.
+struct Progress {
+    std::vector<DrawnView> views; ///< one for each camera of the run; the first `drawn` are filled
+    std::size_t drawn = 0;
+    ClusterHistory history;
+    Times times;
+    DrawnView& next() { return views[drawn++]; }
+};
+
 /// Faces by their numbers in the files.
 void number_faces_as_in_files(Drawing& drawing, const std::vector<Input>& inputs)
 {
@@ -65,25 +75,29 @@ void number_faces_as_in_files(Drawing& drawing, const std::vector<Input>& inputs
                     face = numbers[face];
 }
 
-Drawing draw_view(const Stage& stage, const Camera& camera, DrawnView& view, Times& times)
+/// Part of a run's time that goes by before its first view; for the progress.
+double preparing(const DrawCommand& command) { return command.turntable > 10 ? 0.3 : 0.9; }
+
+Drawing draw_view(const Stage& stage, Progress& progress)
 {
-    view.camera = camera;
-    Drawing drawing = draw_lines(stage.models.lines, stage.rays, stage.features, camera, stage.command.lines, &view.report);
+    DrawnView& view = progress.next();
+    Drawing drawing = draw_lines(stage.models.lines, stage.rays, stage.features, view.camera, stage.command.lines, &view.report, &progress.history);
+    if (stage.features.clusters)
+        view.clusters = {progress.history.survivors, progress.history.since_bounded == 0};
     number_faces_as_in_files(drawing, stage.models.inputs);
     Stopwatch watch;
     add_areas(drawing, stage.seen, stage.command.areas, stage.command.style);
-    times.shade += watch.lap();
+    progress.times.shade += watch.lap();
     return drawing;
 }
 
-Drawing draw_sheet(const Stage& stage, const Sheet& sheet, std::vector<DrawnView>& views, Times& times, Console& console)
+Drawing draw_sheet(const Stage& stage, const Sheet& sheet, Progress& progress, Console& console)
 {
     std::vector<Drawing> pictures;
     for (std::size_t i = 0; i < sheet.cameras.size(); ++i) {
-        if (sheet.cameras.size() > 1)
-            console.progress(fmt::format("view {} of {}", i + 1, sheet.cameras.size()),
-                             0.3 + 0.7 * double(i) / double(sheet.cameras.size()));
-        pictures.push_back(draw_view(stage, sheet.cameras[i], views.emplace_back(), times));
+        const double views = double(progress.views.size()), prepared = preparing(stage.command);
+        console.progress(fmt::format("drawing view {} of {}", progress.drawn + 1, views), prepared + (1 - prepared) * double(progress.drawn) / views);
+        pictures.push_back(draw_view(stage, progress));
         pictures.back().mm_per_pixel = sheet.mm_per_pixel;
     }
     if (pictures.size() == 1)
@@ -130,11 +144,10 @@ Warnings warnings_of(const Models& models, const std::vector<DrawnView>& views)
     Warnings warnings;
     for (const Input& input : models.inputs)
         warnings.add(input.file, input.notes);
+    std::vector<EyePlace> eyes;
     for (const DrawnView& view : views)
-        if (view.report.camera_inside) {
-            warnings.add("camera", {"the eye is inside a closed model"});
-            break;
-        }
+        eyes.push_back(view.eye);
+    warnings.add("camera", eye_notes(eyes));
     return warnings;
 }
 
@@ -149,31 +162,43 @@ void check_turntable(const DrawCommand& command, const std::vector<Output>& outp
             throw Error::Input("--turntable writes numbered files; -o - cannot hold them");
 }
 
-/// Draws and writes every frame of a turntable, or the one sheet. @return the names of the written files.
-std::vector<std::string> draw_all(const Stage& stage, const std::vector<Output>& outputs, std::vector<DrawnView>& views, Warnings& warnings,
-                                  Times& times, Console& console)
+/// The pictures of a run: the frames of a turntable, or one sheet.
+std::vector<Sheet> all_sheets(const DrawCommand& command, const Models& models)
+{
+    const char up_axis = up_axis_of(command.view, models.inputs.front().format);
+    const Scene scene = {models.lines, models.bounds()};
+    if (command.turntable > 0)
+        return turntable(command.view, scene, up_axis, command.turntable);
+    return {place_cameras(command.view, scene, up_axis)};
+}
+
+/// The views of a run before they are drawn: where their eyes are is known before a file is written.
+std::vector<DrawnView> views_of(const Stage& stage, const std::vector<Sheet>& sheets)
+{
+    std::vector<DrawnView> views;
+    for (const Sheet& sheet : sheets)
+        for (const Camera& camera : sheet.cameras) {
+            views.emplace_back().camera = camera;
+            views.back().eye = place_of_eye(stage.models.lines, stage.rays, camera);
+        }
+    return views;
+}
+
+/// Draws and writes every picture. @return the names of the written files.
+std::vector<std::string> draw_all(const Stage& stage, const std::vector<Sheet>& sheets, const std::vector<Output>& outputs, Progress& progress,
+                                  Console& console)
 {
     const DrawCommand& command = stage.command;
-    const char up_axis = up_axis_of(command.view, stage.models.inputs.front().format);
-    const Scene scene = {stage.models.lines, stage.models.bounds()};
-    std::vector<Sheet> sheets = command.turntable > 0 ? turntable(command.view, scene, up_axis, command.turntable)
-                                                      : std::vector<Sheet>{place_cameras(command.view, scene, up_axis)};
     std::vector<std::string> written;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
-        if (sheets.size() > 1)
-            console.progress(fmt::format("frame {} of {}", i + 1, sheets.size()), 0.3 + 0.7 * double(i) / double(sheets.size()));
-        const Drawing drawing = draw_sheet(stage, sheets[i], views, times, console);
-        if (i == 0) { // before the first file, so that --strict leaves none
-            warnings = warnings_of(stage.models, views);
-            settle(warnings, command.common, console);
-        }
+        const Drawing drawing = draw_sheet(stage, sheets[i], progress, console);
         std::vector<Output> files = outputs;
         for (Output& file : files) {
             if (command.turntable > 0)
                 file.path = numbered(file.path, int(i));
             written.push_back(file.path);
         }
-        write_outputs(drawing, files, command.style, times);
+        write_outputs(drawing, files, command.style, progress.times);
     }
     return written;
 }
@@ -181,13 +206,13 @@ std::vector<std::string> draw_all(const Stage& stage, const std::vector<Output>&
 void run(DrawCommand& command)
 {
     Stopwatch total;
-    Times times;
     if (command.model.files.empty())
         throw Error::Input("no model given; see 'limn draw --help'");
     const std::vector<Output> outputs = checked_outputs(command.common, known_formats());
     if (outputs.empty() && !command.common.json)
         throw Error::Input("nothing to do: give -o FILE (svg, pdf, png, dxf, json, ply) or --json");
     check_turntable(command, outputs);
+    check_cpu_only(command.common, "draw");
     check_view_options(command.view);
     Console console(command.common.quiet);
 
@@ -195,20 +220,25 @@ void run(DrawCommand& command)
         command.lines.lines.push_back(LineType::highlight);
     command.model.prepare.estimate.need = surface_need(command.lines);
     command.model.prepare.crease.angle = command.lines.crease_angle;
-    const Models models = prepare_models(command.model, console);
+    const Models models = prepare_models(command.model, console, 0.8 * preparing(command));
+    Progress progress;
     Stopwatch watch;
+    console.progress("building the ray tracer's tree", 0.8 * preparing(command));
     const RayScene rays = build_ray_scene(models.lines);
-    times.rays = watch.lap();
+    progress.times.rays = watch.lap();
+    console.progress("finding creases and borders", 0.95 * preparing(command));
     const Stage stage = {command, models, rays, find_line_features(models.lines, command.lines, std::max(command.turntable, 1)), seen_scene(models.lines, rays)};
-    times.features = watch.lap();
-    std::vector<DrawnView> views;
-    Warnings warnings;
-    const std::vector<std::string> written = draw_all(stage, outputs, views, warnings, times, console);
-    times.total = total.total();
+    progress.times.features = watch.lap();
+    const std::vector<Sheet> sheets = all_sheets(command, models);
+    progress.views = views_of(stage, sheets);
+    const Warnings warnings = warnings_of(models, progress.views);
+    settle(warnings, command.common, console); // before the first file, so that --strict leaves none
+    const std::vector<std::string> written = draw_all(stage, sheets, outputs, progress, console);
+    progress.times.total = total.total();
     if (command.common.json)
-        write_file("-", draw_report(models, views, written, warnings, times));
+        write_file("-", draw_report(models, progress.views, written, warnings, progress.times));
     console.finish(fmt::format("{}: {}, {}, {}", what_was_written(written), counted(models.triangle_count(), "triangle"),
-                               counted(stroke_count(views), "stroke"), seconds_text(times.total)));
+                               counted(stroke_count(progress.views), "stroke"), seconds_text(progress.times.total)));
 }
 
 } // namespace

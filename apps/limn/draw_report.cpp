@@ -15,12 +15,16 @@ nlohmann::ordered_json json_of(const DrawnView& view)
                                                                {"strokes", type.strokes},
                                                                {"visible_pixels", type.visible_pixels},
                                                                {"hidden_pixels", type.hidden_pixels}};
-    return {
+    nlohmann::ordered_json json = {
         {"camera", nlohmann::ordered_json::parse(camera_to_json(view.camera))},
         {"types", types},
         {"camera_inside", view.report.camera_inside},
+        {"camera_on_surface", view.eye == EyePlace::on_surface},
         {"seconds",
          {{"extract", view.report.extract_seconds}, {"visibility", view.report.visibility_seconds}, {"chain", view.report.chain_seconds}}}};
+    if (view.clusters)
+        json["clusters"] = {{"survivors", view.clusters->survivors}, {"bounded", view.clusters->bounded}};
+    return json;
 }
 
 nlohmann::ordered_json json_of(const Input& input)

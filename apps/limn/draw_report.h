@@ -1,16 +1,26 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common.h"
+#include "eyes.h"
 #include "limn/lines/draw.h"
 #include "models.h"
+
+/// How a view's lines were found in clusters of faces.
+struct ClusterReport {
+    double survivors = 0; ///< part of the clusters looked into in the last view that was bounded
+    bool bounded = true;  ///< false: every cluster was looked into
+};
 
 /// One camera's drawing and how it came about.
 struct DrawnView {
     limn::Camera camera;
     limn::DrawReport report;
+    EyePlace eye = EyePlace::outside;
+    std::optional<ClusterReport> clusters; ///< where clusters were built
 };
 
 /// Seconds of a run that belong to no single view.

@@ -19,41 +19,75 @@ namespace {
 constexpr const char* examples = R"(Examples:
   limn info bunny.ply
   limn info part.stl --json
+  limn info part.stl -o part.txt -o part.json
   cat bunny.ply | limn info - --from ply)";
 
+const std::vector<std::string> formats = {"txt", "json"};
+
 struct InfoCommand {
+    CommonOptions common;
     std::string file, from;
-    int threads = 0;
-    bool json = false, strict = false, quiet = false;
 };
 
-std::string info_json(const InfoCommand& command, const Diagnosis& diagnosis, double read_seconds, double diagnose_seconds)
+/// What is known of the file, and how long it took to know it.
+struct Findings {
+    Diagnosis diagnosis;
+    std::vector<std::string> unclean;
+    double read_seconds = 0, diagnose_seconds = 0;
+};
+
+std::string info_json(const InfoCommand& command, const Findings& found)
 {
     nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", "info"}, {"file", command.file}};
-    json["mesh"] = nlohmann::ordered_json::parse(diagnosis_json(diagnosis));
-    json["warnings"] = complaints(diagnosis);
-    json["seconds"] = {{"read", read_seconds}, {"diagnose", diagnose_seconds}};
+    json["mesh"] = nlohmann::ordered_json::parse(diagnosis_json(found.diagnosis));
+    json["warnings"] = found.unclean;
+    json["seconds"] = {{"read", found.read_seconds}, {"diagnose", found.diagnose_seconds}};
     return json.dump(2) + "\n";
+}
+
+Findings look_into(const InfoCommand& command, Console& console)
+{
+    Stopwatch watch;
+    Findings found;
+    console.progress("reading", 0);
+    // Nothing is cleaned away, so that what the file holds is what is told.
+    const ReadResult read =
+        read_mesh_with_notes(command.file, {.format = command.from, .clean = false, .orient = false, .cache_order = false});
+    found.read_seconds = watch.lap();
+    console.progress("looking for what is wrong", 0.5);
+    found.diagnosis = diagnose(read.mesh);
+    found.diagnose_seconds = watch.lap();
+    found.unclean = complaints(found.diagnosis);
+    return found;
+}
+
+/// To the files asked for; to standard output where none is, or JSON is.
+void tell(const InfoCommand& command, const std::vector<Output>& outputs, const Findings& found)
+{
+    for (const Output& output : outputs)
+        write_file(output.path, output.format == "json" ? info_json(command, found) : diagnosis_text(found.diagnosis));
+    if (command.common.json)
+        write_file("-", info_json(command, found));
+    else if (outputs.empty())
+        write_file("-", diagnosis_text(found.diagnosis));
 }
 
 void run(const InfoCommand& command)
 {
     if (command.file.empty())
         throw Error::Input("no file given; see 'limn info --help'");
-    Stopwatch watch;
-    Console console(command.quiet);
-    // Nothing is cleaned away, so that what the file holds is what is told.
-    const ReadResult read = read_mesh_with_notes(command.file, {.format = command.from, .clean = false, .cache_order = false});
-    const double read_seconds = watch.lap();
-    const Diagnosis diagnosis = diagnose(read.mesh);
-    const double diagnose_seconds = watch.lap();
-    const std::vector<std::string> unclean = complaints(diagnosis);
-    if (command.strict && !unclean.empty())
-        throw Error::Read(fmt::format("{}: {} (--strict)", command.file, join(unclean, ", ")));
-    write_file("-", command.json ? info_json(command, diagnosis, read_seconds, diagnose_seconds) : diagnosis_text(diagnosis));
-    if (!unclean.empty())
-        console.warn(fmt::format("{}: {}", command.file, join(unclean, ", ")));
-    console.finish(fmt::format("read {}: {}, {}", command.file, counted(diagnosis.triangles, "triangle"), seconds_text(watch.total())));
+    const Stopwatch watch;
+    const std::vector<Output> outputs = checked_outputs(command.common, formats);
+    check_cpu_only(command.common, "info");
+    Console console(command.common.quiet);
+    const Findings found = look_into(command, console);
+    if (command.common.strict && !found.unclean.empty())
+        throw Error::Read(fmt::format("{}: {} (--strict)", command.file, join(found.unclean, ", ")));
+    tell(command, outputs, found);
+    if (!found.unclean.empty())
+        console.warn(fmt::format("{}: {}", command.file, join(found.unclean, ", ")));
+    const std::string written = outputs.empty() ? "" : ", " + what_was_written(command.common.outputs);
+    console.finish(fmt::format("read {}{}: {}, {}", command.file, written, counted(found.diagnosis.triangles, "triangle"), seconds_text(watch.total())));
 }
 
 } // namespace
@@ -65,9 +99,6 @@ Subcommand add_info(CLI::App& limn)
     app->footer(examples);
     app->add_option("FILE", command->file, "mesh in any format; '-' is standard input");
     app->add_option("--from", command->from, "format of the file, whatever its name ends in")->type_name("FORMAT");
-    app->add_option("--threads", command->threads, "threads to use (default: all)")->type_name("N")->check(CLI::Range(0, 1024));
-    app->add_flag("--json", command->json, "print the facts as JSON");
-    app->add_flag("--strict", command->strict, "exit 1 where something is wrong with the mesh");
-    app->add_flag("--quiet", command->quiet, "print nothing but the facts, warnings and errors");
-    return {app, [command] { with_threads(command->threads, [&] { run(*command); }); }};
+    add_common_options(*app, command->common, "file to write the facts to, instead of standard output: txt, json; may be given several times");
+    return {app, [command] { with_threads(command->common.threads, [&] { run(*command); }); }};
 }

@@ -1,6 +1,7 @@
 #include "models.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -8,14 +9,19 @@
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
+#include "limn/geometry/diagnose.h"
 #include "limn/geometry/read_mesh.h"
+#include "limn/geometry/unpaired_edges.h"
 
 using namespace limn;
 
 namespace {
 
-PreparedMesh load(const std::string& file, const ModelOptions& options, Input& input, Models& models)
+/// @param tell  tell(what, part of this file's work)
+template <class Tell> PreparedMesh load(const std::string& file, const ModelOptions& options, Input& input, Models& models, Tell&& tell)
 {
+    const std::string name = file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+    tell("reading " + name, 0.0);
     Stopwatch watch;
     ReadResult read = read_mesh_with_notes(file, {.format = options.from});
     models.read_seconds += watch.lap();
@@ -27,6 +33,7 @@ PreparedMesh load(const std::string& file, const ModelOptions& options, Input& i
              read.notes,
              std::nullopt,
              std::move(read.mesh.face_numbers)};
+    tell("estimating the surface of " + name, 0.3);
     PreparedMesh prepared = prepare_mesh(std::move(read.mesh), options.prepare);
     if (!prepared.from_cache && options.prepare.estimate.need != Need::normals)
         input.estimate = prepared.report;
@@ -34,33 +41,14 @@ PreparedMesh load(const std::string& file, const ModelOptions& options, Input& i
     return prepared;
 }
 
-/// The vertices of the half-edges without a twin, lower one first, sorted: equal pairs lie side by side.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> unpaired_edges(const LineModel& model, std::uint32_t first, std::uint32_t end)
+/// The edges of an object that are not as they should be, as a diagnosis counts them.
+Diagnosis count_unpaired(const LineModel& model, std::uint32_t first, std::uint32_t end)
 {
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    std::vector<Edge> edges = parallel_collect<Edge>(end - first, 1 << 15, [&](std::size_t from, std::size_t to, std::vector<Edge>& out) {
-        for (std::uint32_t f = first + std::uint32_t(from); f < first + to; ++f)
-            for (std::uint32_t k = 0; k < 3; ++k)
-                if (model.solid().twin[3 * f + k] == none)
-                    out.push_back(std::minmax({model.welded(model.faces[f][int(k)]), model.welded(model.faces[f][int((k + 1) % 3)])}));
+    Diagnosis counts;
+    const auto corner = [&](std::uint32_t h) { return model.welded(model.faces[h / 3][int(h % 3)]); };
+    for_each_unpaired(find_unpaired_edges(model.solid(), 3 * first, 3 * end, corner), [&](const UnpairedEdge*, std::size_t count) {
+        ++(count == 1 ? counts.border_edges : count == 2 ? counts.misoriented_edges : counts.non_manifold_edges);
     });
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
-struct EdgeCounts {
-    std::size_t border = 0, irregular = 0;
-};
-
-EdgeCounts count_unpaired(const LineModel& model, std::uint32_t first, std::uint32_t end)
-{
-    EdgeCounts counts;
-    const auto edges = unpaired_edges(model, first, end);
-    for (auto at = edges.begin(); at != edges.end();) {
-        const auto next = std::find_if(at, edges.end(), [&](const auto& edge) { return edge != *at; });
-        ++(next - at == 1 ? counts.border : counts.irregular);
-        at = next;
-    }
     return counts;
 }
 
@@ -91,28 +79,24 @@ Bounds Models::bounds() const
 std::vector<std::string> topology_notes(const LineModel& model, std::size_t object)
 {
     const std::uint32_t first = model.first_face[object], end = model.first_face[object + 1];
-    const EdgeCounts edges = count_unpaired(model, first, end);
-    std::vector<std::string> notes;
-    const auto note = [&](std::size_t count, std::string_view noun) {
-        if (count > 0)
-            notes.push_back(counted(count, noun));
-    };
-    note(edges.border, "border edge");
-    note(edges.irregular, "non-manifold edge");
-    note(count_flat_faces(model, first, end), "zero-area face");
+    std::vector<std::string> notes = complaints(count_unpaired(model, first, end));
+    if (const std::size_t flat = count_flat_faces(model, first, end); flat > 0)
+        notes.push_back(counted(flat, "zero-area face"));
     return notes;
 }
 
 std::string input_format(const std::string& file, const std::string& from) { return from.empty() ? file_ending(file) : from; }
 
-Models prepare_models(const ModelOptions& options, Console& console)
+Models prepare_models(const ModelOptions& options, Console& console, double share)
 {
+    const double for_files = 0.85 * share / double(options.files.size());
     Models models;
     std::vector<PreparedMesh> loaded;
     for (const std::string& file : options.files) {
-        console.progress("reading " + file, 0.3 * double(loaded.size()) / double(options.files.size()));
-        loaded.push_back(load(file, options, models.inputs.emplace_back(), models));
+        const auto tell = [&](const std::string& what, double part) { console.progress(what, for_files * (double(loaded.size()) + part)); };
+        loaded.push_back(load(file, options, models.inputs.emplace_back(), models, tell));
     }
+    console.progress("joining faces", 0.85 * share);
     Stopwatch watch;
     std::vector<PlacedSurface> placed;
     for (const PreparedMesh& model : loaded)

@@ -36,10 +36,11 @@ struct Models {
 };
 
 /// Reads the files and estimates their surfaces. The meshes are let go before this returns.
+/// @param share  part of the run that this takes, in (0,1]; for the progress
 /// @throws limn::Error::Read naming the file that cannot be read.
-Models prepare_models(const ModelOptions& options, Console& console);
+Models prepare_models(const ModelOptions& options, Console& console, double share = 1);
 
-/// "3 border edges", "2 non-manifold edges", "1 zero-area face": of one object of a model; empty for a clean closed one.
+/// "3 border edges", "2 non-manifold edges", "4 edges with inconsistent winding", "1 zero-area face": of one object of a model; empty for a clean closed one.
 std::vector<std::string> topology_notes(const limn::LineModel& model, std::size_t object);
 
 /// The format of a file as given on the command line: `from`, or its ending.

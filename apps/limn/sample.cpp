@@ -65,8 +65,11 @@ void run(SampleCommand& command)
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     if (outputs.empty() && !command.common.json)
         throw Error::Input("nothing to do: give -o FILE (ply, obj, stl, glb) or --json");
+    check_cpu_only(command.common, "sample");
     Console console(command.common.quiet);
+    console.progress("making the shape", 0);
     const Shape shape = make_shape(command.shape);
+    console.progress("writing", 0.8);
     for (const Output& output : outputs)
         write_mesh(shape.mesh, output.path, {.format = output.format, .double_positions = !command.shape.float_positions});
     if (command.common.json)

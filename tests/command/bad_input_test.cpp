@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "command/command.h"
@@ -132,6 +134,37 @@ protected:
 TEST_F(Unclean, OpenMesh) { expect_warned("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "3 border edges"); }
 
 TEST_F(Unclean, NonManifoldEdge) { expect_warned(tetrahedron_ + "v -1 -1 0\nf 1 2 5\n", "1 non-manifold edge"); }
+
+TEST_F(Unclean, TurnedFaceIsTurnedBack)
+{
+    expect_warned("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 4 3\n", "1 face turned round");
+}
+
+TEST_F(Unclean, TurnedFacesDrawAsTheCleanModel)
+{
+    Mesh mesh = make_shape({.name = "sphere", .triangles = 2000}).mesh;
+    const auto drawing = [&](const std::string& name) {
+        write_text(folder_ / (name + ".obj"), obj_text(mesh));
+        EXPECT_EQ(limn("draw " + path(name + ".obj") + " --size 200x150 --lines technical --quiet -o " + path(name + ".svg")).exit_code, 0);
+        return read_text(folder_ / (name + ".svg"));
+    };
+    const std::string clean = drawing("clean");
+    for (const std::size_t f : {0u, 700u, 1300u})
+        std::swap(mesh.triangles[f].y, mesh.triangles[f].z);
+    EXPECT_EQ(drawing("turned"), clean);
+}
+
+TEST_F(Unclean, InconsistentWindingThatNothingCanRepair)
+{
+    // A strip of five quads with a half twist.
+    std::string strip;
+    for (int i = 0; i < 5; ++i)
+        for (const double side : {-0.3, 0.3}) {
+            const double a = 2 * M_PI * i / 5, r = 1 + side * std::cos(a / 2);
+            strip += fmt::format("v {} {} {}\n", r * std::cos(a), r * std::sin(a), side * std::sin(a / 2));
+        }
+    expect_warned(strip + "f 1 3 4 2\nf 3 5 6 4\nf 5 7 8 6\nf 7 9 10 8\nf 9 2 1 10\n", "1 edge with inconsistent winding");
+}
 
 TEST_F(Unclean, ZeroAreaFace) { expect_warned(tetrahedron_ + "v 5 0 0\nv 6 0 0\nv 7 0 0\nf 5 6 7\n", "1 zero-area face"); }
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "support/support.h"
 
@@ -22,6 +23,23 @@ TEST(Bench, WritesATableForEveryModelAndReplacesOnlyItsSection)
         const std::size_t at = text.find(once);
         ASSERT_NE(at, std::string::npos) << once;
         EXPECT_EQ(text.find(once, at + 1), std::string::npos) << once;
+    }
+}
+
+TEST(Bench, JsonHoldsTheTablesRowByRow)
+{
+    const TemporaryFolder folder;
+    const std::string arguments = "bench lines --sizes 2k,4k --models torus --views 1 --device cpu --strict --quiet ";
+    const ProgramResult result = run_limn(LIMN_COMMAND, arguments + "--json");
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_EQ(run_limn(LIMN_COMMAND, arguments + "-o " + (folder / "bench.data").string() + " --to json").exit_code, 0);
+    for (const std::string& text : {result.output, read_text(folder / "bench.data")}) {
+        const nlohmann::json models = nlohmann::json::parse(text)["models"];
+        ASSERT_EQ(models.size(), 1u);
+        for (const char* table : {"extraction_ms", "views_ms", "runs_s"}) {
+            ASSERT_EQ(models[0][table].size(), 2u) << table;
+            EXPECT_TRUE(models[0][table][1].contains("triangles")) << table;
+        }
     }
 }
 

@@ -27,7 +27,7 @@ TEST_F(Usage, HelpAndVersionGoToStandardOutput)
 
 TEST_F(Usage, EverySubcommandHasHelpWithExamplesWithinAHundredColumns)
 {
-    for (const std::string command : {"draw", "info", "sample"}) {
+    for (const std::string command : {"bench", "draw", "info", "sample"}) {
         const ProgramResult help = limn(command + " --help");
         EXPECT_EQ(help.exit_code, 0);
         EXPECT_NE(help.output.find("Usage: limn " + command), std::string::npos);
@@ -79,6 +79,42 @@ TEST_F(Usage, ValuesOutOfTheirRangeAreRefusedBeforeAnythingIsRead)
     EXPECT_EQ(limn(missing + "--turntable 0").exit_code, 2);
     EXPECT_EQ(limn(missing + "--threads -1").exit_code, 2);
     EXPECT_EQ(files(), std::vector<std::string>{"torus.obj"});
+}
+
+TEST_F(Usage, EverySubcommandTakesTheCommonOptions)
+{
+    for (const std::string command : {"bench", "draw", "info", "sample"}) {
+        const std::string help = limn(command + " --help").output;
+        for (const char* option : {"-o,--output FILE", "--to FORMAT", "--threads N", "--device DEVICE", "--json", "--strict", "--quiet"})
+            EXPECT_NE(help.find(option), std::string::npos) << command << " " << option;
+    }
+}
+
+TEST_F(Usage, AGpuThatACommandDoesNotUseIsRefusedBeforeAnythingIsRead)
+{
+    for (const auto& [command, rest] : {std::pair<std::string, std::string>{"draw", "missing.obj -o " + path("a.svg")},
+                                        {"info", "missing.obj"},
+                                        {"sample", "torus -o " + path("a.ply")},
+                                        {"bench", "lines"}}) {
+        const ProgramResult result = limn(command + " " + rest + " --device gpu");
+        EXPECT_EQ(result.exit_code, 1);
+        EXPECT_EQ(result.errors, "limn: --device gpu: 'limn " + command + "' computes on the CPU only; leave --device out, or say cpu\n");
+    }
+    EXPECT_EQ(files(), std::vector<std::string>{"torus.obj"});
+    for (const std::string device : {"cpu", "auto"})
+        EXPECT_EQ(limn("info " + torus() + " --device " + device).exit_code, 0);
+    EXPECT_EQ(limn("info " + torus() + " --device abacus").exit_code, 2);
+}
+
+TEST_F(Usage, InfoWritesItsFactsToFiles)
+{
+    const ProgramResult text = limn("info " + torus() + " --quiet"), json = limn("info " + torus() + " --quiet --json");
+    const ProgramResult files_only = limn("info " + torus() + " --quiet -o " + path("a.txt") + " -o " + path("a.json"));
+    EXPECT_EQ(files_only.output + files_only.errors, "");
+    EXPECT_EQ(read_text(folder_ / "a.txt"), text.output);
+    EXPECT_EQ(nlohmann::json::parse(read_text(folder_ / "a.json"))["mesh"], nlohmann::json::parse(json.output)["mesh"]);
+    EXPECT_EQ(limn("info " + torus() + " --quiet -o - --to txt").output, text.output);
+    expect_usage_error("info " + torus() + " -o a.svg", "limn info: -o a.svg: 'svg' is not a format to write; known: txt, json");
 }
 
 TEST_F(Usage, JsonAndADrawingOnStandardOutputExcludeEachOther)

@@ -31,7 +31,7 @@ std::string message_of(const std::string& text)
     return "no error";
 }
 
-const ReadOptions as_it_stands{.weld = false, .clean = false, .cache_order = false, .keep_polygons = false};
+const ReadOptions as_it_stands{.weld = false, .clean = false, .orient = false, .cache_order = false, .keep_polygons = false};
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 

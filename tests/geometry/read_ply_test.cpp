@@ -14,7 +14,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-const ReadOptions as_it_stands{.weld = false, .clean = false, .cache_order = false};
+const ReadOptions as_it_stands{.weld = false, .clean = false, .orient = false, .cache_order = false};
 
 ReadResult read_bytes(const std::string& bytes, const ReadOptions& options = as_it_stands)
 {

@@ -93,7 +93,7 @@ TEST(OffReader, ReadsPolygonsCommentsAndExtraColumns)
 {
     const TemporaryFolder folder;
     test::write_text(folder / "mesh.off", "COFF # a comment\n\n5 2 0\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n1 1 0\n0 1 0\n0.5 0.5 1e0\n# faces\n4 0 1 2 3 0.5 0.5 0.5\n3 0 1 4\n");
-    const Mesh mesh = read_mesh(folder / "mesh.off", {.clean = false, .cache_order = false});
+    const Mesh mesh = read_mesh(folder / "mesh.off", {.clean = false, .orient = false, .cache_order = false});
     EXPECT_EQ(mesh.positions.size(), 5u);
     EXPECT_EQ(mesh.triangles, (std::vector<uvec3>{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}}));
 }

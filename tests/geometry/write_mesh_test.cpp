@@ -15,7 +15,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-const ReadOptions as_it_stands{.weld = false, .clean = false, .cache_order = false};
+const ReadOptions as_it_stands{.weld = false, .clean = false, .orient = false, .cache_order = false};
 
 Mesh round_trip(const Mesh& mesh, const char* file, const WriteMeshOptions& written = {}, const ReadOptions& read = as_it_stands)
 {

@@ -6,6 +6,7 @@
 #include "limn/base/file.h"
 #include "limn/geometry/clean.h"
 #include "limn/geometry/counted.h"
+#include "limn/geometry/orient.h"
 #include "limn/geometry/readers.h"
 #include "limn/geometry/vertex_order.h"
 #include "limn/geometry/weld.h"
@@ -75,6 +76,12 @@ void clean(Mesh& mesh, std::vector<std::string>& notes)
     drop_unused_vertices(mesh);
 }
 
+void orient(Mesh& mesh, std::vector<std::string>& notes)
+{
+    if (const std::size_t turned = orient_faces(mesh); turned > 0)
+        notes.push_back(counted(turned, "face", "faces") + " turned round");
+}
+
 } // namespace
 
 ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOptions& options)
@@ -92,6 +99,8 @@ ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOpt
             weld(mesh);
         if (options.clean)
             clean(mesh, result.notes);
+        if (options.orient)
+            orient(mesh, result.notes);
         if (options.cache_order)
             put_in_cache_order(mesh);
     }

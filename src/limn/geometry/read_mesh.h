@@ -13,8 +13,9 @@ struct ReadOptions {
     std::string format = {};     ///< ending to assume ("ply"); "" takes the file's own, or looks at its first bytes
     bool weld = true;            ///< join vertices at bit-identical positions
     bool clean = true;           ///< drop faces with NaN or infinite vertices, and exact duplicates; count them in `notes`
+    bool orient = true;          ///< turn faces round that disagree with their neighbours (orient.h); count them in `notes`
     bool cache_order = true;     ///< put vertices and faces in a cache-friendly order
-    bool keep_polygons = false;  ///< fill Mesh::polygons, creases (control meshes); implies weld, clean, cache_order off
+    bool keep_polygons = false;  ///< fill Mesh::polygons, creases (control meshes); implies weld, clean, orient, cache_order off
 };
 
 /// A mesh and what was noticed while reading it.

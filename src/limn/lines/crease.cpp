@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <tuple>
 
 #include "limn/base/parallel.h"
+#include "limn/geometry/unpaired_edges.h"
 
 namespace limn {
 namespace {
@@ -62,39 +62,9 @@ std::vector<vec3> face_normals(const LineModel& model)
     return normals;
 }
 
-/// The half-edges of one edge that Adjacency could not pair.
-struct UnpairedEdge {
-    std::uint32_t low, high, half_edge;
-    bool same_edge(const UnpairedEdge& e) const { return low == e.low && high == e.high; }
-    friend bool operator<(const UnpairedEdge& x, const UnpairedEdge& y)
-    {
-        return std::tie(x.low, x.high, x.half_edge) < std::tie(y.low, y.high, y.half_edge);
-    }
-};
-
-bool repeats_a_vertex(const uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
-
 std::vector<UnpairedEdge> unpaired_edges(const LineModel& model)
 {
-    auto edges = parallel_collect<UnpairedEdge>(model.solid().twin.size(), 3 * grain, [&](std::size_t begin, std::size_t end, auto& out) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t h = std::uint32_t(i);
-            if (model.solid().twin[h] == none && !repeats_a_vertex(model.faces[h / 3]))
-                out.push_back({std::min(tail(model, h), head(model, h)), std::max(tail(model, h), head(model, h)), h});
-        }
-    });
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
-/// Calls f(first, count) for each run of half-edges on one edge.
-template <class F> void for_each_unpaired(const std::vector<UnpairedEdge>& edges, F&& f)
-{
-    for (std::size_t i = 0, end; i < edges.size(); i = end) {
-        for (end = i + 1; end < edges.size() && edges[end].same_edge(edges[i]);)
-            ++end;
-        f(&edges[i], end - i);
-    }
+    return find_unpaired_edges(model.solid(), 0, model.solid().twin.size(), [&](std::uint32_t h) { return tail(model, h); });
 }
 
 /// The edge of half-edge h with g of another face. The angle is signed by the side on which the other face's tip lies.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+
+#include "limn/base/parallel.h"
 
 namespace limn {
 namespace {
@@ -33,7 +36,48 @@ std::vector<int> exits(const LineModel& model, const RayScene& rays, const vec3&
     return count;
 }
 
+/// The point of a triangle that is closest to p (Ericson 2005, section 5.1.5).
+dvec3 closest_point(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c)
+{
+    const dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp), d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    const double of_a = d3 * d6 - d5 * d4, of_b = d5 * d2 - d1 * d6, of_c = d1 * d4 - d3 * d2;
+    if (d1 <= 0 && d2 <= 0)
+        return a;
+    if (d3 >= 0 && d4 <= d3)
+        return b;
+    if (d6 >= 0 && d5 <= d6)
+        return c;
+    if (of_c <= 0 && d1 >= 0 && d3 <= 0)
+        return a + ab * (d1 / (d1 - d3));
+    if (of_b <= 0 && d2 >= 0 && d6 <= 0)
+        return a + ac * (d2 / (d2 - d6));
+    if (of_a <= 0 && d4 >= d3 && d5 >= d6)
+        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    const double sum = of_a + of_b + of_c;
+    return a + ab * (of_b / sum) + ac * (of_c / sum);
+}
+
 } // namespace
+
+bool is_eye_on_surface(const LineModel& model, const View& view)
+{
+    constexpr float near = 1e-5f;
+    if (view.orthographic || glm::length(view.eye) > 1 + near)
+        return false;
+    const auto touches = [&](const uvec3& t) {
+        const vec3 &a = model.positions[t.x], &b = model.positions[t.y], &c = model.positions[t.z];
+        if (glm::any(glm::lessThan(view.eye, glm::min(glm::min(a, b), c) - near)) || glm::any(glm::greaterThan(view.eye, glm::max(glm::max(a, b), c) + near)))
+            return false; // most faces are far away
+        return glm::distance(closest_point(view.eye, a, b, c), dvec3(view.eye)) <= double(near);
+    };
+    std::atomic<bool> found = false; // any face that touches gives the same answer
+    parallel_blocks(model.faces.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+        if (std::any_of(model.faces.begin() + std::ptrdiff_t(begin), model.faces.begin() + std::ptrdiff_t(end), touches))
+            found = true;
+    });
+    return found;
+}
 
 std::vector<std::uint32_t> components_around(const LineModel& model, const RayScene& rays, const View& view)
 {
