@@ -82,11 +82,13 @@ TEST(RadialCurvature, EqualsTheSecondFundamentalFormAlongTheViewDirection)
 TEST(RadialCurvature, DerivativeAlongTheViewDirectionAgreesWithFiniteDifferences)
 {
     Random random(12);
-    for (int i = 0; i < trials; ++i) {
-        const Sight s = random_sight(random);
-        const float along = formulas::radial_curvature_derivative(s.terms(), float(s.point.k1), float(s.point.k2), vec4(s.point.derivative));
-        ASSERT_NEAR(along, difference_along(s, glm::normalize(s.w()), false), 1e-5 * std::max(1.0, term_size(s))) << "trial " << i;
-    }
+    for (const bool orthographic : {false, true})
+        for (int i = 0; i < trials; ++i) {
+            const Sight s = random_sight(random);
+            const float along = formulas::radial_curvature_derivative(s.terms(), float(s.point.k1), float(s.point.k2), vec4(s.point.derivative));
+            ASSERT_NEAR(along, difference_along(s, glm::normalize(s.w()), orthographic), 1e-5 * std::max(1.0, term_size(s)))
+                << (orthographic ? "orthographic " : "") << "trial " << i;
+        }
 }
 
 TEST(RadialCurvature, DerivativeAcrossTheViewDirectionAgreesWithFiniteDifferences)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "limn/base/parallel.h"
@@ -10,6 +11,7 @@
 #include "limn/surface/jets.h"
 #include "limn/surface/surface_point.h"
 #include "limn/surface/tangent.h"
+#include "support/instruction_sets.h"
 #include "surface/surface_error.h"
 
 namespace limn::test {
@@ -22,32 +24,67 @@ JetContext context_of(const Mesh& mesh)
 
 constexpr JetSetting standard = {{4, true}, 2};
 
-TEST(Jets, DerivativeOfAJitteredTorusConvergesWithSecondOrder)
+/// Error of the derivative on the jittered torus, where the default choice must be made and no fit may fail.
+double jittered_torus_error(std::size_t triangles)
 {
-    const std::size_t triangles[] = {31'000, 124'000, 496'000};
-    const double bound[] = {0.01, 0.0025, 0.0007};
-    std::vector<double> error;
-    for (int level = 0; level < 3; ++level) {
-        const Shape torus = make_test_shape("torus", triangles[level]);
-        EstimateReport report;
-        const Surface surface = estimate_surface(torus.mesh, {}, &report);
-        error.push_back(derivative_error(surface, torus.exact).all);
-        EXPECT_LE(error.back(), bound[level]) << triangles[level];
-        EXPECT_EQ(report.radius, 2);
-        EXPECT_EQ(report.failed, 0u);
-        if (level == 1) {
-            EXPECT_LE(k1_error(surface, torus.exact), 1e-5);
-            EXPECT_LE(normal_error(surface, torus.exact), 1e-6);
-        }
-    }
-    EXPECT_GE(std::log2(error[0] / error[1]), 1.8);
-    EXPECT_GE(std::log2(error[1] / error[2]), 1.8);
+    const Shape torus = make_test_shape("torus", triangles);
+    EstimateReport report;
+    const Surface surface = estimate_surface(torus.mesh, {}, &report);
+    EXPECT_EQ(report.radius, 2);
+    EXPECT_EQ(report.failed, 0u);
+    return derivative_error(surface, torus.exact).all;
 }
 
-TEST(Jets, DerivativeOfAJitteredTorusConvergesToTwoMillionTrianglesSlow)
+/// The measured errors of the specification are .0079, .0019, .00049 and .00012.
+void expect_second_order(const std::vector<std::size_t>& triangles, const std::vector<double>& bounds)
 {
-    const Shape torus = make_test_shape("torus", 2'000'000);
-    EXPECT_LE(derivative_error(estimate_surface(torus.mesh), torus.exact).all, 0.0002);
+    double last = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const double error = jittered_torus_error(triangles[i]);
+        EXPECT_LE(error, bounds[i]) << triangles[i];
+        if (i > 0) {
+            EXPECT_GE(std::log2(last / error), 1.8) << triangles[i];
+        }
+        last = error;
+    }
+}
+
+TEST(Jets, DerivativeOfAJitteredTorusConvergesWithSecondOrder) { expect_second_order({31'000, 124'000, 496'000}, {0.0101, 0.0025, 0.00065}); }
+
+TEST(Jets, DerivativeOfAJitteredTorusConvergesOverFourLevelsSlow)
+{
+    expect_second_order({31'000, 124'000, 496'000, 1'984'000}, {0.0101, 0.0025, 0.00065, 0.00016});
+}
+
+TEST(Jets, CurvatureAndNormalsOfAJitteredTorusAreRightToFiveDigits)
+{
+    const Shape torus = make_test_shape("torus", 124'000);
+    const Surface surface = estimate_surface(torus.mesh);
+    EXPECT_LE(k1_error(surface, torus.exact), 1e-5);
+    EXPECT_LE(normal_error(surface, torus.exact), 1e-6);
+}
+
+// Checklist 2, 3 and 4. The bound of C, 1 %, was set for the tensor method; jets reach over two rings (specification: .0018 at 124k,
+// second order, which is .0137 here).
+TEST(Jets, HoldTheBoundsOfTheRegularTorus)
+{
+    double last_k = 0, last_c = 0;
+    for (const std::size_t triangles : {16'384u, 65'536u, 262'144u}) {
+        const Shape torus = make_test_shape("torus", triangles, 0);
+        const Surface surface = estimate_surface(torus.mesh);
+        const double k = k1_error(surface, torus.exact), c = derivative_error(surface, torus.exact).all;
+        if (triangles == 16'384u) {
+            EXPECT_LE(normal_error(surface, torus.exact), 1e-4);
+            EXPECT_LE(k, 0.0005);
+            EXPECT_LE(c, 0.018);
+        } else {
+            EXPECT_GE(std::log2(last_k / k), 1.9) << triangles;
+            EXPECT_GE(std::log2(last_c / c), 1.9) << triangles;
+        }
+        fmt::print("[   jets    ] regular torus {}: k1 {:.2e}, C {:.2e}\n", triangles, k, c);
+        last_k = k;
+        last_c = c;
+    }
 }
 
 TEST(Jets, DerivativeOfATorusInFloatStaysWithinTwoPercent)
@@ -200,18 +237,22 @@ double row_error(const Shape& shape, const Surface& surface, const std::vector<i
     return std::sqrt(error / double(count) / size);
 }
 
-TEST(Jets, BordersConvergeWithSecondOrder)
+// Specification, section 4: border, next row and interior .068 / .016 / .008 at 15k, .0038 / .0009 / .0005 at 247k, 8 times
+// the interior on its sheet; on ours 9 to 10 times.
+TEST(Jets, BordersConvergeWithSecondOrderAndStayWithinAFactorOfTheInterior)
 {
     double last = 0;
     for (const std::size_t triangles : {15'000u, 60'000u, 240'000u}) {
         const Shape sheet = make_test_shape("bent-sheet", triangles);
         const Surface surface = estimate_surface(sheet.mesh, {.radius = 2});
         const std::vector<int> rows = border_rows(sheet.mesh);
-        const double border = row_error(sheet, surface, rows, 0);
-        EXPECT_LE(row_error(sheet, surface, rows, 1), border) << triangles;
-        EXPECT_LE(border, triangles == 15'000u ? 0.1 : triangles == 60'000u ? 0.03 : 0.01);
+        const double border = row_error(sheet, surface, rows, 0), next = row_error(sheet, surface, rows, 1), interior = row_error(sheet, surface, rows, 1000);
+        fmt::print("[   jets    ] rows of a sheet of {}: border {:.4f}, next {:.4f}, interior {:.4f}\n", triangles, border, next, interior);
+        EXPECT_LE(next, border) << triangles;
+        EXPECT_LE(border, 13 * interior) << triangles;
+        EXPECT_LE(border, triangles == 15'000u ? 0.018 : triangles == 60'000u ? 0.0045 : 0.0012);
         if (last > 0) {
-            EXPECT_GE(std::log2(last / border), 1.5) << triangles;
+            EXPECT_GE(std::log2(last / border), 1.8) << triangles;
         }
         last = border;
     }
@@ -269,6 +310,27 @@ TEST(Jets, ScaleAndPlaceOfTheModelOnlyScaleTheResult)
             surface.derivative[v] *= float(scale * scale);
         }
         EXPECT_LE(derivative_error(surface, reference).all, 1e-5) << scale;
+    }
+}
+
+// Checklist 3: what rounding the positions to float may do to curvature.
+TEST(Estimate, CurvatureFromFloatPositionsIsScaledWithinTheirRounding)
+{
+    const Shape torus = make_test_shape("torus", 20'000, 0);
+    const double h = mean_edge(torus.mesh), bound = 8 * 0x1p-24 * 1.4 / (h * h);
+    for (const CurvatureMethod method : {CurvatureMethod::jets, CurvatureMethod::tensor}) {
+        const Surface reference = estimate_surface(torus.mesh, {.method = method, .radius = 2});
+        double worst = 0;
+        for (const double scale : {0.3, 37.0}) {
+            Mesh mesh = torus.mesh;
+            for (dvec3& p : mesh.positions)
+                p = dvec3(vec3(scale * p));
+            const Surface surface = estimate_surface(mesh, {.method = method, .radius = 2});
+            for (std::size_t v = 0; v < reference.k1.size(); ++v)
+                worst = std::max(worst, std::abs(surface.k1[v] * scale - reference.k1[v]));
+        }
+        fmt::print("[ estimate  ] curvature moves by {:.2e} through float positions, allowed {:.2e}\n", worst, bound);
+        EXPECT_LE(worst, bound);
     }
 }
 
@@ -330,6 +392,63 @@ TEST(Jets, GiveTheSameBytesForOneAndTwoThreads)
         EXPECT_EQ(one.k1, two.k1);
         EXPECT_EQ(one.k2, two.k2);
         EXPECT_EQ(one.derivative, two.derivative);
+    }
+}
+
+/// The largest difference of curvature and of the derivative between two sets of fits, relative to the largest of each.
+struct JetDifference {
+    double k = 0, derivative = 0;
+    std::size_t states = 0; ///< fits that one of them has and the other has not
+};
+
+JetDifference largest_difference(const std::vector<Jet>& a, const std::vector<Jet>& b)
+{
+    JetDifference difference;
+    double largest_k = 0, largest_derivative = 0;
+    for (std::size_t v = 0; v < a.size(); ++v) {
+        difference.states += a[v].ok != b[v].ok;
+        if (!a[v].ok || !b[v].ok)
+            continue;
+        const double sign = glm::dot(a[v].e1, b[v].e1) < 0 ? -1 : 1;
+        difference.k = std::max({difference.k, std::abs(a[v].k1 - b[v].k1), std::abs(a[v].k2 - b[v].k2)});
+        difference.derivative = std::max(difference.derivative, glm::distance(sign * a[v].derivative, b[v].derivative));
+        largest_k = std::max(largest_k, std::abs(b[v].k1));
+        largest_derivative = std::max(largest_derivative, glm::length(b[v].derivative));
+    }
+    difference.k /= largest_k;
+    difference.derivative /= largest_derivative;
+    return difference;
+}
+
+// Vectors without a fused multiply-add round once more, and the normal equations magnify that by their condition: 7e-13 and 5e-12
+// measured on SSE4; AVX2 and AVX-512 give the same bits.
+TEST(Jets, AreTheSameOnEveryInstructionSetWithinRounding)
+{
+    const Mesh mesh = make_test_shape("torus", 20'000).mesh;
+    const JetContext context = context_of(mesh);
+    for (const JetModel model : {JetModel{4, true}, JetModel{4, false}, JetModel{3, true}, JetModel{3, false}}) {
+        RingCollector collector(context.positions, context.normals, context.neighbours);
+        Neighbourhoods hoods;
+        hoods.clear();
+        for (std::uint32_t v = 0; v < context.positions.size(); ++v) {
+            collector.collect(v, {.rings = model.interpolating ? 2 : 3}, hoods.neighbour);
+            hoods.close(v);
+        }
+        const JetProblem problem = {context.positions, context.normals, &hoods, false};
+        std::vector<Jet> best(hoods.size()), other(hoods.size());
+        fit_jets(problem, model, best);
+        int sets = 0;
+        with_each_instruction_set([&](const char* name) {
+            fit_jets(problem, model, other);
+            const JetDifference difference = largest_difference(other, best);
+            fmt::print("[   jets    ] degree {}{} on {}: k {:.1e}, derivative {:.1e}\n", model.degree, model.interpolating ? " interpolating" : " free", name,
+                       difference.k, difference.derivative);
+            EXPECT_EQ(difference.states, 0u) << name;
+            EXPECT_LE(difference.k, 2e-12) << name;
+            EXPECT_LE(difference.derivative, 1e-11) << name;
+            ++sets;
+        });
+        EXPECT_GE(sets, 1);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "limn/surface/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -249,6 +250,37 @@ TEST(Shapes, ExactFieldsAgreeWithFiniteDifferences)
                     ASSERT_NEAR(glm::dot(x, change * y) / length, p.derivative_along(x, y, move / length),
                                 2e-5 * (glm::length(p.derivative) + size * size * size)) << name << " point " << i;
             }
+    }
+}
+
+// Checklist 4: C(a,b,c), the change of II(a,b) along c, does not depend on the order of the three, in the differences of shape
+// operators as in the four numbers that stand for it.
+TEST(Shapes, DerivativeOfCurvatureIsSymmetricInItsThreeDirections)
+{
+    Random random(14);
+    const ShapePart part = shape_parts("bumpy-torus").front();
+    for (int i = 0; i < 200; ++i) {
+        const dvec3 q = random_parameter(part, random);
+        const SurfacePoint p = surface_point(part.jet(q));
+        struct Direction {
+            dvec3 unit;
+            dmat3 change; ///< of the shape operator, per unit of length
+        };
+        std::array<Direction, 3> d;
+        for (Direction& x : d) {
+            const dvec3 step = random_step(part, q, 1e-5, random);
+            const SurfacePoint a = surface_point(part.jet(q - step)), b = surface_point(part.jet(q + step));
+            const double length = glm::distance(a.position, b.position);
+            x = {(b.position - a.position) / length, (b.shape_operator() - a.shape_operator()) / length};
+        }
+        const double size = glm::length(p.derivative) + std::pow(std::abs(p.k1) + 1, 3);
+        const double stored = p.derivative_along(d[0].unit, d[1].unit, d[2].unit);
+        std::array<std::size_t, 3> order = {0, 1, 2};
+        do {
+            const auto [x, y, z] = order;
+            ASSERT_NEAR(p.derivative_along(d[x].unit, d[y].unit, d[z].unit), stored, 1e-13 * size) << "point " << i;
+            ASSERT_NEAR(glm::dot(d[x].unit, d[z].change * d[y].unit), stored, 2e-5 * size) << "point " << i;
+        } while (std::next_permutation(order.begin(), order.end()));
     }
 }
 

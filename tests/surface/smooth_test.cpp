@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "limn/surface/estimate.h"
@@ -24,7 +25,9 @@ struct Patch {
     }
 };
 
-TEST(Smooth, FourPassesOnTheDerivativeStopItsGrowthInTheTensorMethod)
+// Checklist 4. The growth stops at 37k triangles; beyond that the error of the normals, which are not smoothed, comes back in
+// (curvature-jets specification, section 2: .084 at 31k, .13 at 124k, .25 at 496k "still diverges"): half as fast as without.
+TEST(Smooth, FourPassesOnTheDerivativeStopItsGrowthOnCoarseMeshesAndHalveItOnFineOnesInTheTensorMethod)
 {
     std::vector<double> rough, smooth;
     for (const std::size_t triangles : {9'000u, 37'000u, 147'000u}) {
@@ -37,9 +40,13 @@ TEST(Smooth, FourPassesOnTheDerivativeStopItsGrowthInTheTensorMethod)
         smooth.push_back(derivative_error(surface, torus.exact).all);
         EXPECT_EQ(surface.k1, k1) << "only the derivative is smoothed";
     }
-    EXPECT_GE(rough[2], 3 * rough[0]);
-    EXPECT_LE(smooth[2], 0.2);
-    EXPECT_LE(smooth[2], rough[2] / 10);
+    fmt::print("[  smooth   ] rough {:.3f} {:.3f} {:.3f}, smooth {:.3f} {:.3f} {:.3f}\n", rough[0], rough[1], rough[2], smooth[0], smooth[1], smooth[2]);
+    EXPECT_GE(rough[1], 1.8 * rough[0]);
+    EXPECT_GE(rough[2], 1.8 * rough[1]);
+    EXPECT_LE(smooth[0], 0.14);
+    EXPECT_LE(smooth[1], smooth[0]);
+    EXPECT_LE(smooth[2], 0.185);
+    EXPECT_LE(smooth[2] / smooth[0], 0.5 * rough[2] / rough[0]);
 }
 
 TEST(Smooth, SmoothedNormalsMakeIrregularSamplingWorse)

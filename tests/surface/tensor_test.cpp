@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "limn/base/parallel.h"
@@ -23,6 +24,21 @@ TEST(MaxNormals, AreExactOnASphere)
         const std::vector<vec3> normals = max_normals(sphere.mesh);
         for (std::size_t v = 0; v < normals.size(); ++v)
             ASSERT_LE(glm::distance(normals[v], sphere.exact.normals[v]), 1e-6f) << triangles;
+    }
+}
+
+// Checklist 2, from positions in float.
+TEST(MaxNormals, AreExactOnASphereInFloatWithinTheRoundingOfItsPositions)
+{
+    for (const std::size_t triangles : {320u, 1280u, 20'000u, 200'000u}) {
+        const Shape sphere = make_test_shape("sphere", triangles, 0, true);
+        const std::vector<vec3> normals = max_normals(sphere.mesh);
+        const double bound = 8 * 0x1p-24 / mean_edge(sphere.mesh);
+        double worst = 0;
+        for (std::size_t v = 0; v < normals.size(); ++v)
+            worst = std::max(worst, glm::distance(dvec3(normals[v]), glm::normalize(sphere.mesh.positions[v])));
+        EXPECT_LE(worst, bound) << triangles;
+        fmt::print("[  normals  ] sphere of {} in float: {:.2e}, allowed {:.2e}\n", triangles, worst, bound);
     }
 }
 
