@@ -131,14 +131,21 @@ void rays_to_eye(benchmark::State& state)
     state.SetItemsProcessed(count);
 }
 
-BENCHMARK(jets)->Arg(100000)->Arg(500000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(facing)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(codes)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(flat_extraction)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(cluster_extraction, all, ClusterUse::all)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(cluster_extraction, bounded, ClusterUse::bounded)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(cluster_building)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(chaining)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(rays_to_eye)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
+void ladder(benchmark::internal::Benchmark* kernel)
+{
+    for (const std::int64_t triangles : {20000, 100000, 500000, 1000000, 2000000})
+        kernel->Arg(triangles);
+    kernel->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK(jets)->Apply(ladder);
+BENCHMARK(facing)->Apply(ladder);
+BENCHMARK(codes)->Apply(ladder);
+BENCHMARK(flat_extraction)->Apply(ladder);
+BENCHMARK_CAPTURE(cluster_extraction, all, ClusterUse::all)->Apply(ladder);
+BENCHMARK_CAPTURE(cluster_extraction, bounded, ClusterUse::bounded)->Apply(ladder);
+BENCHMARK(cluster_building)->Apply(ladder);
+BENCHMARK(chaining)->Apply(ladder);
+BENCHMARK(rays_to_eye)->Apply(ladder);
 
 } // namespace

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <tbb/task_arena.h>
 
+#include "bench_runs.h"
 #include "bench_table.h"
+#include "limn/base/parallel.h"
 #include "limn/base/random.h"
 #include "limn/drawing/write_drawing.h"
 #include "limn/geometry/read_mesh.h"
@@ -17,6 +19,7 @@
 #include "limn/lines/contour.h"
 #include "limn/lines/draw.h"
 #include "limn/lines/prepare.h"
+#include "limn/lines/visibility.h"
 #include "limn/surface/shapes.h"
 
 using namespace limn;
@@ -136,49 +139,45 @@ ViewTimes time_views(const Subject& s, int count)
     return {median(extract), median(visibility), median(chain), median(total), median(total_flat), median(strokes)};
 }
 
-/// Seconds from a binary PLY to an SVG, by stage.
-struct RunTimes {
-    double read = 0, surface = 0, merge = 0, rays = 0, draw = 0, write = 0;
-    double total() const { return read + surface + merge + rays + draw + write; }
+/// Median milliseconds of a view of contours alone up to their visibility, and of the same view with one unfiltered ray for each piece.
+struct VisibilityTimes {
+    double whole = 0, plain = 0;
 };
 
-/// A folder of its own that goes with all it holds.
-class ScratchFolder {
-public:
-    ScratchFolder() : path_(std::filesystem::temp_directory_path() / fmt::format("limn-bench-{}", getpid())) { std::filesystem::create_directory(path_); }
-    ~ScratchFolder() { std::filesystem::remove_all(path_); }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_;
-};
-
-RunTimes time_run(const std::string& name, std::size_t triangles)
+VisibilityTimes time_visibility(const Subject& s, int count)
 {
-    const ScratchFolder folder;
-    ShapeOptions shape;
-    shape.name = name;
-    shape.triangles = triangles;
-    write_mesh(make_shape(shape).mesh, folder / "model.ply");
-    RunTimes times;
-    Stopwatch watch;
-    Mesh mesh = read_mesh(folder / "model.ply");
-    times.read = watch.lap();
-    const Bounds bounds = mesh.bounds();
-    const PreparedMesh prepared = prepare_mesh(std::move(mesh));
-    times.surface = watch.lap();
-    const PlacedSurface placed = prepared.placed();
-    const LineModel model = build_line_model({&placed, 1});
-    times.merge = watch.lap();
-    const RayScene rays = build_ray_scene(model);
-    times.rays = watch.lap();
-    const Drawing drawing = draw_lines(model, rays, Camera::framing(bounds), {});
-    times.draw = watch.lap();
-    write_drawing(drawing, {}, (folder / "model.svg").string(), "svg");
-    times.write = watch.lap();
-    return times;
+    const RayScene rays = build_ray_scene(s.model);
+    std::vector<double> whole, plain;
+    for (int i = 0; i < count; ++i) {
+        Framing framing;
+        framing.view = fmt::format("{},{}", (37 * i) % 360, (23 * i) % 120 - 60);
+        const Camera camera = Camera::framing(s.bounds, framing);
+        Stopwatch watch;
+        const View view = s.model.view(camera);
+        const Projector projector(s.model, camera);
+        const std::vector<float> facing = facing_of_vertices(s.model, view);
+        const ViewContext context = {s.model, rays, view, projector, facing};
+        const std::vector<Segment> segments = extract_contours(s.model, facing);
+        const Chains chains = chain_segments(segments);
+        const LinkCurvature curvature = curvature_along_contours(context, segments, chains);
+        const double before = milliseconds(watch);
+        const OccluderGrid occluders(occluders_of_contours(context, segments, chains, curvature), camera);
+        const ChainElements found = find_visibility(context, VisibilityRule::contour, segments, chains, curvature, occluders);
+        whole.push_back(before + milliseconds(watch));
+        std::vector<std::uint8_t> seen(found.elements.size());
+        watch.lap();
+        parallel_each(found.elements.size(), 256, [&](std::size_t k) {
+            const Element& e = found.elements[k];
+            const Segment& segment = segments[e.segment];
+            Ray ray;
+            ray.origin = glm::mix(segment.a, segment.b, 0.5f * (e.t0 + e.t1));
+            ray.direction = view.to_eye(ray.origin);
+            ray.far = 1;
+            seen[k] = !rays.occluded(ray, [](const Hit&) { return true; });
+        });
+        plain.push_back(before + milliseconds(watch));
+    }
+    return {median(whole), median(plain)};
 }
 
 std::string number(double x, int digits = 2) { return fmt::format("{:.{}f}", x, digits); }
@@ -214,9 +213,13 @@ private:
                          number(n / e.clustered / 1e3, 0), number(e.clustered / e.flat), number(e.bounded / e.flat), percent(e.survivors),
                          number(1e3 * s.cluster_seconds, 0), number(s.surface_seconds)});
         const ViewTimes v = time_views(s, bench_.views);
-        views_.add({count, number(v.extract), number(v.visibility), number(v.chain), number(v.total), number(v.total_flat), number(v.strokes, 0)});
+        const VisibilityTimes t = time_visibility(s, bench_.views);
+        views_.add({count, number(v.extract), number(v.visibility), number(v.chain), number(v.total), number(v.total_flat), number(v.strokes, 0), number(t.whole),
+                    number(t.whole / t.plain)});
         const RunTimes r = time_run(model_, size);
-        runs_.add({count, number(r.read), number(r.surface), number(r.merge), number(r.rays), number(r.draw), number(r.write), number(r.total())});
+        const RunMemory m = measure_memory(model_, size);
+        runs_.add({count, number(r.read), number(r.surface), number(r.merge), number(r.rays), number(r.draw), number(r.write), number(r.total()),
+                   number(m.ply, 0), number(m.stl, 0), number(m.obj, 0)});
     }
 
     std::string exponents() const
@@ -233,8 +236,8 @@ private:
     std::vector<double> sizes_, flat_, clustered_, bounded_;
     MarkdownTable extraction_{{"triangles", "segments", "flat", "clustered", "bounded", "automatic", "clustered Mtri/s", "clustered/flat", "bounded/flat",
                                "survivors", "build clusters", "surface (s)"}};
-    MarkdownTable views_{{"triangles", "extract", "visibility", "chain", "total", "total without clusters", "strokes"}};
-    MarkdownTable runs_{{"triangles", "read", "surface", "merge", "rays", "draw", "write", "total"}};
+    MarkdownTable views_{{"triangles", "extract", "visibility", "chain", "total", "total without clusters", "strokes", "contours alone", "contours/plain rays"}};
+    MarkdownTable runs_{{"triangles", "read", "surface", "merge", "rays", "draw", "write", "total", "PLY B", "STL B", "OBJ B"}};
 };
 
 nlohmann::ordered_json json_of(const MarkdownTable& table)
@@ -271,8 +274,10 @@ std::string bench_text(const LineBench& bench, const std::vector<LineMeasures>& 
         out += fmt::format("### {}\n\nContours and suggestive contours of one view, milliseconds:\n\n{}", m.model, m.extraction.text());
         if (!m.exponents.empty())
             out += fmt::format("\n{}\n", m.exponents);
-        out += fmt::format("\nWhole further views (extract, visibility, chains and strokes), milliseconds:\n\n{}", m.views.text());
-        out += fmt::format("\nOne run from a binary PLY file to an SVG file (default lines, no clusters), seconds:\n\n{}\n", m.runs.text());
+        out += fmt::format("\nWhole further views (extract, visibility, chains and strokes), milliseconds; and without clusters "
+                           "contours alone, up to their visibility, and what that is of the same with one unfiltered ray for each piece:\n\n{}", m.views.text());
+        out += fmt::format("\nOne run from a binary PLY file to an SVG file (default lines, no clusters), seconds; and the most memory of such a run "
+                           "from PLY, STL and OBJ, bytes a triangle, without the file's own size and what a tiny model takes:\n\n{}\n", m.runs.text());
     }
     return out;
 }

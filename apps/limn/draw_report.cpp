@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "peak_memory.h"
+
 using namespace limn;
 
 namespace {
@@ -73,5 +75,6 @@ std::string draw_report(const Models& models, const std::vector<DrawnView>& view
                        {"shade", times.shade},
                        {"write", times.write},
                        {"total", times.total}};
+    json["peak_memory"] = peak_memory();
     return json.dump(2) + "\n";
 }
