@@ -1,15 +1,20 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <random>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "edge_shapes.h"
 #include "limn/base/parallel.h"
+#include "limn/geometry/read_mesh.h"
 #include "limn/lines/contour.h"
 #include "limn/lines/mesh_contour.h"
+#include "limn/surface/estimate.h"
+#include "limn/surface/shapes.h"
 
 namespace limn {
 namespace {
@@ -163,6 +168,62 @@ TEST(MeshContour, ConvergesToFirstOrderInPositionButNotInLength) // checklist 7
     }
     EXPECT_GT(fine.smooth_ratio, 0.999);
     EXPECT_LT(fine.smooth_ratio, 1.001);
+}
+
+/// How many closed loops the lines have, those that touch counted one by one: segments - nodes + connected loops.
+std::size_t loops_of(const std::vector<Segment>& segments)
+{
+    std::map<std::uint32_t, std::uint32_t> parent;
+    const auto root = [&](std::uint32_t node) {
+        parent.try_emplace(node, node);
+        while (parent[node] != node)
+            node = parent[node] = parent[parent[node]];
+        return node;
+    };
+    for (const Segment& s : segments)
+        parent[root(s.edge_a)] = root(s.edge_b);
+    std::set<std::uint32_t> roots;
+    for (const Segment& s : segments)
+        roots.insert(root(s.edge_a));
+    return segments.size() + roots.size() - parent.size();
+}
+
+struct Loops {
+    double on_edges = 0, interpolated = 0; ///< means over the views
+};
+
+Loops count_loops(const LineModel& model)
+{
+    Loops mean;
+    const std::vector<View> views = random_views(20, true);
+    for (const View& view : views) {
+        mean.on_edges += double(loops_of(extract_mesh_contours(model, view))) / double(views.size());
+        mean.interpolated += double(loops_of(extract_contours(model, facing_of_vertices(model, view)))) / double(views.size());
+    }
+    return mean;
+}
+
+// Checklist 7: where the normals of neighbouring faces straddle the contour the mesh has loops of its own, which the smooth contour
+// has not.
+TEST(MeshContour, BreaksIntoLoopsOnCoarseMeshes)
+{
+    for (const char* name : {"torus", "knot", "bumpy-torus"}) {
+        const Shape shape = make_shape({.name = name, .triangles = 2000, .jitter = 0.2});
+        const Loops loops = count_loops(model_of(shape.mesh, shape.exact));
+        fmt::print("[   loops   ] {} of 2000: {:.1f} loops on edges, {:.1f} interpolated\n", name, loops.on_edges, loops.interpolated);
+        EXPECT_GT(loops.on_edges, 2 * loops.interpolated) << name;
+    }
+}
+
+TEST(MeshContour, OfTheBunnyHasMoreLoopsThanItsInterpolatedContour)
+{
+    const std::filesystem::path file = "/usr/share/glmark2/models/bunny.obj";
+    if (!std::filesystem::exists(file))
+        GTEST_SKIP() << file << " (package glmark2-data) is not installed";
+    const Mesh mesh = read_mesh(file);
+    const Loops loops = count_loops(model_of(mesh, estimate_surface(mesh, {.need = Need::normals})));
+    fmt::print("[   loops   ] bunny: {:.1f} loops on edges, {:.1f} interpolated\n", loops.on_edges, loops.interpolated);
+    EXPECT_GT(loops.on_edges, 4 * loops.interpolated);
 }
 
 /// How far the line jumps: the largest distance from the middle of a segment of `to` to the nearest point of `from`.

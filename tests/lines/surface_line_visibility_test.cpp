@@ -1,4 +1,4 @@
-// Visibility of suggestive contours against the exact shapes: section 5 of the line-visibility specification, and checklist item
+// Visibility of suggestive contours and other lines inside faces against the exact shapes: section 5 of the line-visibility specification, and checklist item
 // 28 of the contour-lines specification.
 
 #include <cmath>
@@ -42,7 +42,7 @@ struct Score {
     double length = 0, leak = 0, lost = 0, undecided = 0; ///< in space
 };
 
-Score score_of(const std::string& name, std::size_t triangles, int views)
+Score score_of(LineType type, const std::string& name, std::size_t triangles, int views)
 {
     Shape shape = make_shape({.name = name, .triangles = triangles, .jitter = 0.2, .float_positions = false});
     shape.exact = estimate_surface(shape.mesh);
@@ -50,7 +50,7 @@ Score score_of(const std::string& name, std::size_t triangles, int views)
     const RayScene rays = build_ray_scene(model);
     const ShapeTruth truth(name);
     LineOptions options;
-    options.lines = {LineType::suggestive};
+    options.lines = {type};
     options.hidden = Hidden::keep;
     const LineFeatures features = find_line_features(model, options);
     const double h = std::sqrt(4 * std::numbers::pi / double(triangles));
@@ -70,27 +70,34 @@ Score score_of(const std::string& name, std::size_t triangles, int views)
                 }
             }
     }
-    fmt::print("[   score  ] suggestive contours of {} {}: leak {:.3f} %, lost {:.3f} %, undecided {:.2f} %\n", name, triangles, 100 * score.leak / score.length,
+    fmt::print("[   score  ] {} lines of {} {}: leak {:.3f} %, lost {:.3f} %, undecided {:.2f} %\n", line_type_name(type), name, triangles, 100 * score.leak / score.length,
                100 * score.lost / score.length, 100 * score.undecided / (score.length + score.undecided));
     return score;
 }
 
-void expect_right(const std::string& name, std::size_t triangles, int views)
+void expect_right(LineType type, const std::string& name, std::size_t triangles, int views)
 {
-    const Score score = score_of(name, triangles, views);
+    const Score score = score_of(type, name, triangles, views);
     ASSERT_GT(score.length, 1);
     EXPECT_LE(score.leak + score.lost, 0.005 * score.length) << name;
     EXPECT_LE(score.undecided, 0.1 * score.length) << name;
 }
 
-TEST(SuggestiveVisibility, IsRightOnTheBumpyTorus) { expect_right("bumpy-torus", 50000, 6); }
+TEST(SuggestiveVisibility, IsRightOnTheBumpyTorus) { expect_right(LineType::suggestive, "bumpy-torus", 50000, 6); }
 
-TEST(SuggestiveVisibility, IsRightOnTheBlob) { expect_right("blob", 50000, 6); }
+TEST(SuggestiveVisibility, IsRightOnTheBlob) { expect_right(LineType::suggestive, "blob", 50000, 6); }
 
-TEST(SuggestiveVisibility, IsRightOnLargeMeshesSlow)
+TEST(SurfaceLineVisibility, OfEveryOtherLineInsideFacesIsRight)
 {
-    for (const char* name : {"bumpy-torus", "blob"})
-        expect_right(name, 500000, 20);
+    for (const LineType type : {LineType::highlight, LineType::ridge, LineType::valley, LineType::apparent})
+        expect_right(type, "blob", 50000, 3);
+}
+
+TEST(SurfaceLineVisibility, IsRightOnLargeMeshesSlow)
+{
+    for (const LineType type : {LineType::suggestive, LineType::highlight, LineType::ridge, LineType::valley, LineType::apparent})
+        expect_right(type, "blob", 500000, 10);
+    expect_right(LineType::suggestive, "bumpy-torus", 500000, 20);
 }
 
 } // namespace

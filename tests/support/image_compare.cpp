@@ -42,21 +42,32 @@ Plane luminance(const Image& image)
     return plane;
 }
 
+/// Adds weight * from to a row.
+void add_row(double* to, const double* from, int width, double weight)
+{
+    for (int x = 0; x < width; ++x)
+        to[x] += weight * from[x];
+}
+
+/// Rows first, then columns; the border repeats its last pixel.
 Plane blurred(const Plane& plane)
 {
     static const auto weights = window();
     Plane across = plane, result = plane;
-    for (int pass = 0; pass < 2; ++pass) {
-        const Plane& from = pass == 0 ? plane : across;
-        Plane& to = pass == 0 ? across : result;
-        for (int y = 0; y < plane.height; ++y)
-            for (int x = 0; x < plane.width; ++x) {
-                double sum = 0;
-                for (int k = -radius; k <= radius; ++k)
-                    sum += weights[std::size_t(k + radius)] * (pass == 0 ? from.at(x + k, y) : from.at(x, y + k));
-                to.values[std::size_t(y) * std::size_t(plane.width) + std::size_t(x)] = sum;
-            }
+    std::fill(across.values.begin(), across.values.end(), 0.0);
+    std::fill(result.values.begin(), result.values.end(), 0.0);
+    std::vector<double> padded(std::size_t(plane.width) + 2 * radius);
+    for (int y = 0; y < plane.height; ++y) {
+        for (int x = -radius; x < plane.width + radius; ++x)
+            padded[std::size_t(x + radius)] = plane.at(x, y);
+        for (int k = 0; k <= 2 * radius; ++k)
+            add_row(&across.values[std::size_t(y) * std::size_t(plane.width)], padded.data() + k, plane.width, weights[std::size_t(k)]);
     }
+    for (int y = 0; y < plane.height; ++y)
+        for (int k = 0; k <= 2 * radius; ++k) {
+            const int from = std::clamp(y + k - radius, 0, plane.height - 1);
+            add_row(&result.values[std::size_t(y) * std::size_t(plane.width)], &across.values[std::size_t(from) * std::size_t(plane.width)], plane.width, weights[std::size_t(k)]);
+        }
     return result;
 }
 
@@ -68,21 +79,44 @@ Plane product(const Plane& a, const Plane& b)
     return result;
 }
 
-} // namespace
-
-double ssim(const Image& a, const Image& b)
+/// The similarity at every pixel.
+Plane similarity(const Image& a, const Image& b)
 {
     if (a.size() != b.size())
         throw std::runtime_error("pictures of different size have no similarity");
     const Plane x = luminance(a), y = luminance(b);
     const Plane mx = blurred(x), my = blurred(y), xx = blurred(product(x, x)), yy = blurred(product(y, y)), xy = blurred(product(x, y));
     constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
-    double sum = 0;
+    Plane result = x;
     for (std::size_t i = 0; i < x.values.size(); ++i) {
         const double p = mx.values[i], q = my.values[i], vx = xx.values[i] - p * p, vy = yy.values[i] - q * q, cov = xy.values[i] - p * q;
-        sum += (2 * p * q + c1) * (2 * cov + c2) / ((p * p + q * q + c1) * (vx + vy + c2));
+        result.values[i] = (2 * p * q + c1) * (2 * cov + c2) / ((p * p + q * q + c1) * (vx + vy + c2));
     }
-    return sum / double(x.values.size());
+    return result;
+}
+
+double mean_of(const Plane& plane, int x0, int y0, int x1, int y1)
+{
+    double sum = 0;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x)
+            sum += plane.at(x, y);
+    return sum / (double(x1 - x0) * double(y1 - y0));
+}
+
+} // namespace
+
+double ssim(const Image& a, const Image& b) { return mean_of(similarity(a, b), 0, 0, a.width, a.height); }
+
+double lowest_tile_ssim(const Image& a, const Image& b)
+{
+    constexpr int tile = 32;
+    const Plane plane = similarity(a, b);
+    double lowest = 1;
+    for (int y = 0; y < a.height; y += tile)
+        for (int x = 0; x < a.width; x += tile)
+            lowest = std::min(lowest, mean_of(plane, x, y, std::min(x + tile, a.width), std::min(y + tile, a.height)));
+    return lowest;
 }
 
 double largest_difference(const Image& a, const Image& b)

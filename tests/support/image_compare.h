@@ -11,6 +11,10 @@ namespace limn::test {
 /// Gaussian window of sigma 1.5 and 11 pixels; K1 = 0.01, K2 = 0.03). 1 is equal. Throws when the sizes differ.
 double ssim(const Image& a, const Image& b);
 
+/// The lowest mean of that similarity over a square tile of 32 pixels. A page is mostly white, where every drawing is alike; a
+/// tile shows a stroke that is missing, however short.
+double lowest_tile_ssim(const Image& a, const Image& b);
+
 /// The largest difference of any sample; infinite when sizes differ.
 double largest_difference(const Image& a, const Image& b);
 

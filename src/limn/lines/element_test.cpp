@@ -43,11 +43,6 @@ bool bends_away(const LineModel& m, const Segment& s)
     return height <= 0;
 }
 
-bool is_front_face(const LineModel& model, const View& view, std::uint32_t face)
-{
-    return glm::dot(face_normal(model, face), view.to_eye(model.positions[model.faces[face].x])) > 0;
-}
-
 bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const Segment& s, const vec3& p, float step, float exit)
 {
     if (rule == VisibilityRule::surface && facing_in_face(c.model, c.facing, s.face, p) < 0)
@@ -67,11 +62,6 @@ bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const S
 
 bool is_edge_point_visible(const ViewContext& c, const Segment& s, const vec3& p, float step)
 {
-    if (s.other != none) {
-        const bool front = is_front_face(c.model, c.view, s.face), front_too = is_front_face(c.model, c.view, s.other);
-        if (bends_away(c.model, s) ? !front && !front_too : !(front && front_too))
-            return false;
-    }
     float unit = 1;
     Ray ray = ray_to_eye(c.view, p, unit);
     ray.near = unit > 0 ? 0.02f * step / unit : 0;

@@ -11,9 +11,6 @@ namespace limn {
 /// n.v, linear in its face, at a point of the face.
 float facing_in_face(const LineModel& model, std::span<const float> facing, std::uint32_t face, const vec3& p);
 
-/// True where the face turns its front to the eye (by its corners, not by normals).
-bool is_front_face(const LineModel& model, const View& view, std::uint32_t face);
-
 /// True where the faces on both sides of a segment along an edge form a ridge seen from outside, not a valley.
 bool bends_away(const LineModel& model, const Segment& segment);
 
@@ -23,8 +20,8 @@ bool bends_away(const LineModel& model, const Segment& segment);
 /// A surface line whose point itself turns away is hidden without a ray.
 bool is_surface_point_visible(const ViewContext& context, VisibilityRule rule, const Segment& segment, const vec3& p, float step, float exit = 3);
 
-/// Whether a point on a mesh edge (of the segment's faces `face` and `other`) sees the eye: a convex edge is hidden when
-/// both faces turn away, a concave one unless both face the eye; else any hit beyond .02 h on other faces hides it.
+/// Whether a point on a mesh edge (of the segment's faces `face` and `other`) sees the eye: no face but these two is hit beyond
+/// .02 h. Which sides the two faces show does not matter: a ray into a solid hits it from within, and a shell shows its inside.
 bool is_edge_point_visible(const ViewContext& context, const Segment& segment, const vec3& p, float step);
 
 } // namespace limn

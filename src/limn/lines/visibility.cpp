@@ -59,6 +59,21 @@ std::vector<std::uint8_t> fixed_nodes(std::span<const Segment> segments, std::sp
     return fixed;
 }
 
+/// True for lines that lie on the mesh itself, whose rays no chord can mislead.
+bool lies_on_edge(VisibilityRule rule, const Segment& s) { return rule == VisibilityRule::edge || s.along_edge; }
+
+/// The size of a pixel at a point, in the model's frame.
+float pixel_at(const ViewContext& c, const vec3& p) { return float((c.projector.orthographic ? 1.0 : c.projector.depth(p)) / c.projector.scale); }
+
+/// The length that visibility along a segment is measured in: the mean edge of its face. Faces of flat sides are as large as
+/// the side, and say nothing of how far an edge's visibility can be trusted; two pixels are enough against the noise of scans.
+float step_of_segment(const ViewContext& c, VisibilityRule rule, const Segment& s)
+{
+    constexpr float most_pixels = 2;
+    const float step = step_of_face(c.model, s.face);
+    return lies_on_edge(rule, s) ? std::min(step, most_pixels * pixel_at(c, 0.5f * (s.a + s.b))) : step;
+}
+
 /// Where n.v, linear in the segment's face, is zero on it; negative where there is no such place.
 float turning_point(const ViewContext& c, const Segment& s)
 {
@@ -79,9 +94,9 @@ struct Place {
 };
 
 /// Appends the elements of one link.
-void split_link(const ViewContext& c, const Segment& s, const Link& link, std::vector<Place>& places, Place start, std::vector<Element>& out)
+void split_link(const Segment& s, const Link& link, float step, std::vector<Place>& places, Place start, std::vector<Element>& out)
 {
-    const float step = step_of_face(c.model, s.face), length = glm::distance(s.a, s.b);
+    const float length = glm::distance(s.a, s.b);
     std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.t < y.t; });
     if (link.reversed)
         std::reverse(places.begin(), places.end());
@@ -146,7 +161,7 @@ ChainElements split_chains(const ViewContext& c, VisibilityRule rule, std::span<
             const Segment& s = segments[link.segment];
             const std::size_t before = out.size();
             find_places(c, rule, s, link, std::uint32_t(l), curvature, cuts, places);
-            split_link(c, s, link, places, {0, false, false, false}, out);
+            split_link(s, link, step_of_segment(c, rule, s), places, {0, false, false, false}, out);
             elements_before[l + 1] = std::uint32_t(out.size() - before);
         }
     });
@@ -242,7 +257,9 @@ float exit_distance(const LineModel& model, const Segment& s, float kr)
 
 /// An unmarked change has no cut: it lies somewhere between the middles of two elements (where one part runs through
 /// another, say). Bisection finds the place, and the element that holds it is split there.
-template <class Test> ChainElements with_exact_changes(ChainElements decided, const Chains& chains, const Test& is_visible)
+/// @param cuts_are_exact  false: marked changes are searched for as well. Edges are cut under interpolated contours, which the mesh
+///                        that hides them only resembles.
+template <class Test> ChainElements with_exact_changes(ChainElements decided, const Chains& chains, bool cuts_are_exact, const Test& is_visible)
 {
     struct Split {
         std::size_t element;
@@ -263,7 +280,7 @@ template <class Test> ChainElements with_exact_changes(ChainElements decided, co
             const std::size_t previous = k == begin ? end - 1 : k - 1;
             const Element &a = decided.elements[previous], &b = decided.elements[k];
             const float a_middle = 0.5f * (a.t0 + a.t1), b_middle = 0.5f * (b.t0 + b.t1);
-            if (a.visible == b.visible || b.cusp || b.may_hide || b.may_appear || is_visible(a, a_middle) != a.visible ||
+            if (a.visible == b.visible || (cuts_are_exact && (b.cusp || b.may_hide || b.may_appear)) || is_visible(a, a_middle) != a.visible ||
                 is_visible(b, b_middle) != b.visible)
                 continue;
             if (is_visible(b, b.t0) == a.visible)
@@ -381,7 +398,7 @@ ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::sp
             exit = exit_distance(c.model, s, kr);
         }
         const vec3 p = glm::mix(s.a, s.b, t);
-        return rule == VisibilityRule::edge ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step, exit);
+        return lies_on_edge(rule, s) ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step, exit);
     };
     parallel_each(result.elements.size(), grain, [&](std::size_t k) {
         Element& e = result.elements[k];
@@ -392,7 +409,7 @@ ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::sp
         Decision decision(elements, prices, rule == VisibilityRule::surface ? prices.turn : prices.expected);
         chains.closed[chain] ? decision.closed() : decision.open();
     });
-    return with_exact_changes(std::move(result), chains, is_visible);
+    return with_exact_changes(std::move(result), chains, rule != VisibilityRule::edge, is_visible);
 }
 
 } // namespace limn

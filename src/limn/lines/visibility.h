@@ -15,7 +15,7 @@ namespace limn {
 enum class VisibilityRule : std::uint8_t {
     contour, ///< an interpolated contour: hidden where the radial curvature is negative, else a filtered ray
     surface, ///< a line inside front-facing faces: hidden where the interpolated n.v is negative, else a filtered ray
-    edge,    ///< a line along mesh edges: facing of its faces, else a plain ray
+    edge,    ///< a line along mesh edges: a plain ray
 };
 
 /// What every test of one view reads.
@@ -31,7 +31,7 @@ struct ViewContext {
 struct Element {
     std::uint32_t segment;
     float t0, t1;       ///< from a to b of the segment, so t0 > t1 where the chain walks it backwards
-    float length, step; ///< its length, and the mean edge length h of its face; model units
+    float length, step; ///< its length, and the mean edge length h of its face, along mesh edges at most two pixels; model units
     bool may_hide, may_appear; ///< whether a change to hidden / to visible is expected where it starts
     bool cusp;          ///< it starts at a cusp: any change is expected
     bool visible;
