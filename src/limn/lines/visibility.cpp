@@ -79,9 +79,11 @@ struct Place {
 };
 
 /// Appends the elements of one link.
-void split_link(const ViewContext& c, const Segment& s, const Link& link, std::vector<Place>& places, Place start, std::vector<Element>& out)
+void split_link(const ViewContext& c, VisibilityRule rule, const Segment& s, const Link& link, std::vector<Place>& places, Place start, std::vector<Element>& out)
 {
-    const float step = step_of_face(c.model, s.face), length = glm::distance(s.a, s.b);
+    const float length = glm::distance(s.a, s.b), of_face = step_of_face(c.model, s.face);
+    // A rim of long, narrow faces turns away within one of its own edges: their length must not hold it back.
+    const float step = rule == VisibilityRule::edge ? std::min(of_face, length) : of_face;
     std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.t < y.t; });
     if (link.reversed)
         std::reverse(places.begin(), places.end());
@@ -146,7 +148,7 @@ ChainElements split_chains(const ViewContext& c, VisibilityRule rule, std::span<
             const Segment& s = segments[link.segment];
             const std::size_t before = out.size();
             find_places(c, rule, s, link, std::uint32_t(l), curvature, cuts, places);
-            split_link(c, s, link, places, {0, false, false, false}, out);
+            split_link(c, rule, s, link, places, {0, false, false, false}, out);
             elements_before[l + 1] = std::uint32_t(out.size() - before);
         }
     });
