@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,6 +9,7 @@
 #include "command/command.h"
 
 #include "limn/drawing/png.h"
+#include "limn/geometry/write_mesh.h"
 
 namespace limn::test {
 namespace {
@@ -84,13 +87,24 @@ TEST_F(Draw, ReadsStandardInputAndWritesStandardOutput)
     EXPECT_EQ(piped.errors, "");
 }
 
-TEST_F(Draw, OneThreadAndTwoGiveTheSameBytes)
+TEST_F(Draw, OneThreadAndSeveralGiveTheSameBytes)
 {
-    const std::string options = "--lines all --hidden dash --style coloured --fill ";
-    for (const std::string threads : {"1", "2"})
-        draw(options + "--threads " + threads + fmt::format(" -o {0}.svg -o {0}.png -o {0}.json -o {0}.pdf -o {0}.ply", path(threads)));
-    for (const char* ending : {".svg", ".png", ".json", ".pdf", ".ply"})
-        EXPECT_TRUE(text(std::string("1") + ending) == text(std::string("2") + ending)) << ending;
+    // Large enough for many blocks in every parallel loop; the cylinder is split along its rims.
+    write_mesh(make_shape({.name = "blob", .triangles = 150000, .jitter = 0.3}).mesh, folder_ / "blob.ply");
+    write_mesh(make_shape({.name = "cylinder", .triangles = 60000, .jitter = 0.3}).mesh, folder_ / "cylinder.ply");
+    const std::string models = "draw " + path("blob.ply") + " " + path("cylinder.ply") + " --size 400x300 --quiet ";
+    const std::vector<std::string> threads = {"1", "2", "5"};
+    for (const std::string& n : threads) {
+        const std::string lines = models + "--lines all,mesh-contour --hidden dash --style coloured --fill --threads " + n;
+        const ProgramResult drawn = limn(lines + fmt::format(" -o {0}.svg -o {0}.png -o {0}.json -o {0}.pdf -o {0}.ply -o {0}.dxf", path(n)));
+        const ProgramResult shaded = limn(models + "--lines technical --shade smooth --threads " + n + " -o " + path(n + "-shaded.png"));
+        ASSERT_EQ(drawn.exit_code + shaded.exit_code, 0) << drawn.errors << shaded.errors;
+    }
+    for (const char* ending : {".svg", ".png", ".json", ".pdf", ".ply", ".dxf", "-shaded.png"})
+        for (const std::string& n : threads) {
+            EXPECT_GT(text(n + ending).size(), 1000u) << ending;
+            EXPECT_TRUE(text(n + ending) == text("1" + std::string(ending))) << n << " threads, " << ending;
+        }
 }
 
 TEST_F(Draw, SeveralModelsHideEachOther)
@@ -209,16 +223,63 @@ TEST_F(Draw, TheUpAxisFollowsTheFormat)
     EXPECT_EQ(up(torus()), Json({0.0, 1.0, 0.0}));
 }
 
-TEST_F(Draw, AStoppedRunLeavesNoFile)
-{
-    write_text(folder_ / "large.obj", shape_obj("blob", 100000));
-    for (const char* delay : {"0.05", "0.2", "0.4"}) {
-        run_shell(fmt::format("timeout -s INT {} '{}' draw {} -o {} -o {}", delay, LIMN_COMMAND, path("large.obj"), path("a.svg"), path("a.png")));
+/// A run that a signal ends before its end.
+class StoppedRun : public WithTorus {
+protected:
+    StoppedRun() { write_mesh(make_shape({.name = "blob", .triangles = 30000}).mesh, folder_ / "large.ply"); }
+
+    std::string command() const
+    {
+        // Half of the time goes into the picture's pixels.
+        return fmt::format("'{}' draw {} --size 1600x1600 --quiet -o {} -o {}", LIMN_COMMAND, path("large.ply"), path("a.png"), path("a.svg"));
+    }
+    void remove_outputs() const
+    {
         for (const std::string& name : files())
-            EXPECT_TRUE(name == "torus.obj" || name == "large.obj" || name == "a.svg" || name == "a.png") << name;
-        if (exists("a.svg")) { // it was faster: then it is whole
-            EXPECT_NE(text("a.svg").find("</svg>"), std::string::npos);
-        }
+            if (name != "torus.obj" && name != "large.ply")
+                std::filesystem::remove(folder_ / name);
+    }
+    /// Each file is whole, or not there.
+    void expect_whole() const
+    {
+        for (const std::string& name : files())
+            EXPECT_TRUE(name == "torus.obj" || name == "large.ply" || name == "a.svg" || name == "a.png") << name;
+        const std::string svg = read_text(folder_ / "a.svg"), png = read_text(folder_ / "a.png");
+        EXPECT_TRUE(svg.empty() || svg.ends_with("</svg>\n"));
+        EXPECT_TRUE(png.empty() || png.find("IEND") == png.size() - 8) << png.size() << " bytes";
+    }
+};
+
+TEST_F(StoppedRun, LeavesWholeFilesOrNoneWheneverItIsStopped)
+{
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_EQ(run_shell(command()).exit_code, 0);
+    const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    expect_whole();
+    ASSERT_TRUE(exists("a.svg") && exists("a.png"));
+    int stopped = 0;
+    for (int i = 1; i <= 8; ++i) {
+        remove_outputs();
+        const char* signal = i % 2 ? "INT" : "TERM";
+        const ProgramResult result = run_shell(fmt::format("timeout -s {} {:.3f} {}", signal, whole * i / 9, command()));
+        stopped += result.exit_code != 0;
+        SCOPED_TRACE(fmt::format("stopped by {} after {} of 9 parts", signal, i));
+        expect_whole();
+    }
+    EXPECT_GE(stopped, 4);
+}
+
+TEST_F(StoppedRun, KilledInTheMidstOfWritingLeavesAnOlderFileAndNoHalfOne)
+{
+    // A file that grows beyond the limit ends the run by SIGXFSZ, half written.
+    for (const bool older : {false, true}) {
+        if (older)
+            write_text(folder_ / "a.png", "older");
+        const std::vector<std::string> before = files();
+        const ProgramResult result = run_shell("ulimit -c 0; ulimit -f 8; " + command());
+        EXPECT_EQ(result.exit_code, 128 + SIGXFSZ) << result.errors;
+        EXPECT_EQ(files(), before);
+        EXPECT_EQ(read_text(folder_ / "a.png"), older ? "older" : "");
     }
 }
 

@@ -149,6 +149,21 @@ TEST(BadInput, FilesWithFlippedBytesGiveAnErrorOrAValidMesh)
         }
 }
 
+TEST(BadInput, GltfErrorsNameTheByteOrTheObject)
+{
+    const TemporaryFolder folder;
+    const auto message = [&](const std::string& json) {
+        test::write_text(folder / "a.gltf", json);
+        return message_of(folder / "a.gltf").substr((folder / "a.gltf").string().size());
+    };
+    EXPECT_EQ(message("{\"asset\": oops}"), ": byte 10: its JSON is malformed");
+    EXPECT_EQ(message("[]"), ": byte 0: its JSON is no object");
+    EXPECT_EQ(message("{\"accessors\": 3}"), ": byte 0: 'accessors' of its JSON is no list");
+    EXPECT_EQ(message("{\"accessors\": [{\"count\": 0}, {\"count\": -1}]}"), ": accessor 1: 'count' is -1, which is no size");
+    EXPECT_EQ(message("{\"accessors\": [{\"bufferView\": 2}]}"), ": accessor 0 names buffer view 2, which does not exist");
+    EXPECT_EQ(message("{\"bufferViews\": [7]}"), ": buffer view 0: found a value where an object is expected");
+}
+
 TEST(BadInput, MissingDirectoryEmptyAndUnknownAreNamed)
 {
     const TemporaryFolder folder;

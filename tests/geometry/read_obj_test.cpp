@@ -106,9 +106,9 @@ TEST(ObjReader, DropsFacesAtNanVerticesAndSaysHowMany)
 
 TEST(ObjReader, SaysThatNoFaceIsLeft)
 {
-    EXPECT_EQ(message_of(square), "mesh.obj: holds no face");
+    EXPECT_EQ(message_of(square), fmt::format("mesh.obj: holds no face in its {} bytes", square.size()));
     EXPECT_EQ(message_of("v nan 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n"),
-              "mesh.obj: holds no face (1 face with NaN or infinite vertices dropped)");
+              "mesh.obj: holds no face in its 34 bytes (1 face with NaN or infinite vertices dropped)");
 }
 
 TEST(ObjReader, JoinsEqualPositionsOnlyWhenAsked)

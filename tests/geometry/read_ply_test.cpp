@@ -192,7 +192,7 @@ TEST(PlyReader, NamesTheLineOfWhatItCannotRead)
     EXPECT_EQ(message_of(triangle_header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "mesh.ply: line 13: vertex index 3 is outside 0..2");
     EXPECT_EQ(message_of(triangle_header + "0 0 0\n1 0 0\n0 1 0\n3 0 -1 2\n"), "mesh.ply: line 13: vertex index -1 is outside 0..2");
     EXPECT_EQ(message_of(triangle_header + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"), "mesh.ply: line 13: '-3' is not the length of a list");
-    EXPECT_EQ(message_of(triangle_header + "0 0 0\n1 0 0\n0 1 0\n"), "mesh.ply: the header claims 1 rows of element 'face', but 0 lines are left for them");
+    EXPECT_EQ(message_of(triangle_header + "0 0 0\n1 0 0\n0 1 0\n"), "mesh.ply: line 7: the header claims 1 rows of element 'face', but 0 lines are left for them");
     EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex x\n"), "mesh.ply: line 3: 'x' is not a number of elements");
     EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex 3\nproperty real x\n"), "mesh.ply: line 4: 'real' is not a type of PLY");
     EXPECT_EQ(message_of("ply\nformat utf8 1.0\n"), "mesh.ply: line 2: 'utf8' is none of ascii, binary_little_endian, binary_big_endian");
@@ -209,10 +209,10 @@ TEST(PlyReader, NamesTheByteOfAnIndexOutOfRange)
 
 TEST(PlyReader, SaysWhatIsMissing)
 {
-    EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"), "mesh.ply: holds no face");
+    EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"), "mesh.ply: line 7: the header ends, and named no element 'face' with properties");
     std::string text = triangle_header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     text.replace(text.find("float z"), 7, "float w");
-    EXPECT_EQ(message_of(text), "mesh.ply: its vertices have no property 'z'");
+    EXPECT_EQ(message_of(text), "mesh.ply: line 3: its vertices have no property 'z'");
 }
 
 TEST(PlyReader, GivesTheSameMeshAcrossBlocksOfRows)

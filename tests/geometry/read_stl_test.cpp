@@ -79,7 +79,7 @@ TEST(StlReader, NamesTheLineOrByteOfWhatItCannotRead)
     EXPECT_EQ(message_of("solid x\n" + facet + "facet normal 0 0 1\n"), "mesh.stl: line 9: the file ends inside a facet");
     EXPECT_EQ(message_of("solid x\nfasset\n"), "mesh.stl: line 2: found 'fasset', which is no word of STL");
     EXPECT_EQ(message_of("solid x\nvertex 0 0 0\n"), "mesh.stl: line 2: a vertex stands outside of a facet");
-    EXPECT_EQ(message_of("solid x\nendsolid x\n"), "mesh.stl: holds no face");
+    EXPECT_EQ(message_of("solid x\nendsolid x\n"), "mesh.stl: holds no face in its 19 bytes");
     const TemporaryFolder folder;
     const std::string bytes = binary_cube(folder);
     EXPECT_EQ(message_of(bytes.substr(0, bytes.size() - 1)), "mesh.stl: byte 80: the header claims 12 triangles of 50 bytes, but the file holds 11");

@@ -1,5 +1,7 @@
 #include "limn/geometry/gltf_claims.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -18,9 +20,11 @@ public:
 
     void check(bool binary)
     {
-        const json document = parse(binary ? json_chunk() : bytes_);
+        const std::string_view text = binary ? json_chunk() : bytes_;
+        json_at_ = std::size_t(text.data() - bytes_.data());
+        const json document = parse(text);
         if (!document.is_object())
-            fail("its JSON is no object");
+            fail(fmt::format("byte {}: its JSON is no object", json_at_));
         for (const json& buffer : list(document, "buffers"))
             check_buffer(buffer);
         for (const json& view : list(document, "bufferViews"))
@@ -67,12 +71,14 @@ private:
     {
         bool too_deep = false;
         const auto watch = [&](int depth, json::parse_event_t, json&) { return !(too_deep = too_deep || depth > deepest); };
-        const json document = json::parse(text.begin(), text.end(), watch, false);
-        if (too_deep)
-            fail(fmt::format("its JSON is nested more than {} deep", deepest));
-        if (document.is_discarded())
-            fail("its JSON is malformed");
-        return document;
+        try {
+            const json document = json::parse(text.begin(), text.end(), watch);
+            if (too_deep)
+                fail(fmt::format("byte {}: its JSON is nested more than {} deep", json_at_, deepest));
+            return document;
+        } catch (const json::parse_error& error) { // which counts the bytes it has read
+            fail(fmt::format("byte {}: its JSON is malformed", json_at_ + error.byte - std::min<std::size_t>(error.byte, 1)));
+        }
     }
 
     const json& list(const json& document, const char* key) const
@@ -82,26 +88,27 @@ private:
         if (found == document.end())
             return empty;
         if (!found->is_array())
-            fail(fmt::format("'{}' is no list", key));
+            fail(fmt::format("byte {}: '{}' of its JSON is no list", json_at_, key));
         return *found;
     }
 
     /// A whole number of at most 2^40, or `otherwise` where the key is missing.
-    std::size_t number(const json& object, const char* key, std::size_t otherwise) const
+    /// @param who  whose it is: "accessor 3"
+    std::size_t number(const json& object, const std::string& who, const char* key, std::size_t otherwise) const
     {
         if (!object.is_object())
-            fail("found a value where an object is expected");
+            fail(fmt::format("{}: found a value where an object is expected", who));
         const auto found = object.find(key);
         if (found == object.end())
             return otherwise;
         if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::uint64_t(1) << 40)
-            fail(fmt::format("'{}' is {}, which is no size", key, found->dump().substr(0, 40)));
+            fail(fmt::format("{}: '{}' is {}, which is no size", who, key, found->dump().substr(0, 40)));
         return found->get<std::size_t>();
     }
 
     void check_buffer(const json& buffer)
     {
-        const std::size_t length = number(buffer, "byteLength", 0);
+        const std::size_t length = number(buffer, fmt::format("buffer {}", buffers_.size()), "byteLength", 0);
         const auto uri = buffer.find("uri");
         // Base64 holds 3 bytes in 4 characters. What another file holds is not known here.
         const bool inside = uri == buffer.end() || (uri->is_string() && uri->get_ref<const std::string&>().starts_with("data:"));
@@ -113,10 +120,11 @@ private:
 
     void check_view(const json& view)
     {
-        const std::size_t buffer = number(view, "buffer", 0), offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
+        const std::string who = fmt::format("buffer view {}", views_.size());
+        const std::size_t buffer = number(view, who, "buffer", 0), offset = number(view, who, "byteOffset", 0), length = number(view, who, "byteLength", 0);
         if (buffer >= buffers_.size() || offset + length > buffers_[buffer])
-            fail(fmt::format("buffer view {} claims {} bytes from byte {} of buffer {}, which are not there", views_.size(), length, offset, buffer));
-        views_.push_back({length, number(view, "byteStride", 0)});
+            fail(fmt::format("{} claims {} bytes from byte {} of buffer {}, which are not there", who, length, offset, buffer));
+        views_.push_back({length, number(view, who, "byteStride", 0)});
     }
 
     static std::size_t components(const std::string& type)
@@ -126,19 +134,20 @@ private:
 
     void check_accessor(const json& accessor)
     {
-        const std::size_t count = number(accessor, "count", 0), index = accessors_++;
-        const std::size_t type = number(accessor, "componentType", 5126);
+        const std::string who = fmt::format("accessor {}", accessors_++);
+        const std::size_t count = number(accessor, who, "count", 0);
+        const std::size_t type = number(accessor, who, "componentType", 5126);
         const std::size_t bytes = type <= 5121 ? 1 : type <= 5123 ? 2 : 4;
         const std::string shape = accessor.contains("type") && accessor["type"].is_string() ? accessor["type"].get<std::string>() : "MAT4";
-        const std::size_t item = bytes * components(shape), offset = number(accessor, "byteOffset", 0);
-        const std::size_t view = number(accessor, "bufferView", views_.size());
+        const std::size_t item = bytes * components(shape), offset = number(accessor, who, "byteOffset", 0);
+        const std::size_t view = number(accessor, who, "bufferView", views_.size());
         if (view >= views_.size() && accessor.contains("bufferView"))
-            fail(fmt::format("accessor {} names buffer view {}, which does not exist", index, view));
+            fail(fmt::format("{} names buffer view {}, which does not exist", who, view));
         // Without a view all items are zero, or given as exceptions: then more items than the file has bytes are a lie.
         const std::size_t room = view < views_.size() ? views_[view].length : item * bytes_.size();
         const std::size_t step = view < views_.size() && views_[view].stride > 0 ? views_[view].stride : item;
         if (count > 0 && (offset + item > room || count - 1 > (room - offset - item) / step))
-            fail(fmt::format("accessor {} claims {} items of {} bytes, but its buffer view has {} bytes", index, count, item, room));
+            fail(fmt::format("{} claims {} items of {} bytes, but its buffer view has {} bytes", who, count, item, room));
     }
 
     struct View {
@@ -147,7 +156,7 @@ private:
 
     std::string_view bytes_;
     const std::string& name_;
-    std::size_t binary_ = 0, accessors_ = 0;
+    std::size_t json_at_ = 0, binary_ = 0, accessors_ = 0;
     std::vector<std::size_t> buffers_;
     std::vector<View> views_;
 };

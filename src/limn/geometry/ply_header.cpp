@@ -32,6 +32,7 @@ public:
         while (parse_line()) {
         }
         header_.size = at_;
+        header_.lines = number_;
         return std::move(header_);
     }
 
@@ -101,6 +102,7 @@ private:
     {
         PlyElement element;
         element.name = fields.next();
+        element.line = number_;
         const std::string_view count = fields.next();
         std::int64_t value = 0;
         if (!parse_whole(count, value) || value < 0)

@@ -21,6 +21,7 @@ struct PlyProperty {
 struct PlyElement {
     std::string name;
     std::size_t count = 0;
+    std::size_t line = 0; ///< where the header names it; from 1
     std::vector<PlyProperty> properties;
 
     bool has_list() const;
@@ -35,6 +36,7 @@ struct PlyHeader {
     Format format = Format::ascii;
     std::vector<PlyElement> elements;
     std::size_t size = 0; ///< bytes, up to the first row
+    std::size_t lines = 0; ///< the number of its last
 
     /// The first element of that name that has properties, or a null pointer.
     const PlyElement* find(std::string_view element) const;

@@ -14,7 +14,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t node_limit = 1 << 20;
+constexpr std::size_t node_limit = 1 << 20, deepest = 1000;
 
 dmat4 to_glm(const aiMatrix4x4& m)
 {
@@ -50,21 +50,22 @@ public:
 private:
     void visit(const aiNode& node, const dmat4& parent, std::size_t depth)
     {
-        if (depth > 1000 || ++nodes_ > node_limit)
-            throw Error::Read(fmt::format("{}: its tree of nodes is too deep or too large", name_));
+        if (depth > deepest || ++nodes_ > node_limit)
+            throw Error::Read(fmt::format("{}: node {}: the tree of nodes is deeper than {} or has more than {}", name_, nodes_, deepest, node_limit));
         const dmat4 transform = parent * to_glm(node.mTransformation);
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
             if (node.mMeshes[i] < scene_.mNumMeshes)
-                add(*scene_.mMeshes[node.mMeshes[i]], transform);
+                add(node.mMeshes[i], transform);
         for (unsigned i = 0; i < node.mNumChildren; ++i)
             visit(*node.mChildren[i], transform, depth + 1);
     }
 
-    void add(const aiMesh& part, const dmat4& transform)
+    void add(unsigned number, const dmat4& transform)
     {
+        const aiMesh& part = *scene_.mMeshes[number];
         const std::size_t first = mesh_.positions.size();
         if (first + part.mNumVertices >= none)
-            throw Error::Read(fmt::format("{}: has more vertices than 32-bit indices can name", name_));
+            throw Error::Read(fmt::format("{}: mesh {}: more vertices than 32-bit indices can name", name_, number));
         for (unsigned v = 0; v < part.mNumVertices; ++v) {
             const aiVector3D& p = part.mVertices[v];
             mesh_.positions.push_back(dvec3(transform * dvec4(p.x, p.y, p.z, 1)));
@@ -73,20 +74,21 @@ private:
         const bool mirrored = glm::determinant(dmat3(transform)) < 0;
         const std::size_t before = mesh_.triangles.size();
         for (unsigned f = 0; f < part.mNumFaces; ++f)
-            add_face(part.mFaces[f], part.mNumVertices, std::uint32_t(first), mirrored);
+            add_face(part.mFaces[f], number, std::uint32_t(first), mirrored);
         mesh_.face_groups.resize(mesh_.triangles.size(), std::uint32_t(mesh_.group_names.size()));
         if (mesh_.triangles.size() > before)
             mesh_.group_names.push_back(part.mName.length > 0 ? part.mName.C_Str() : fmt::format("mesh {}", mesh_.group_names.size()));
     }
 
-    void add_face(const aiFace& face, unsigned vertices, std::uint32_t first, bool mirrored)
+    void add_face(const aiFace& face, unsigned mesh, std::uint32_t first, bool mirrored)
     {
+        const unsigned vertices = scene_.mMeshes[mesh]->mNumVertices;
         if (face.mNumIndices != 3)
             return;
         uvec3 t(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
         for (int k = 0; k < 3; ++k)
             if (t[k] >= vertices)
-                throw Error::Read(fmt::format("{}: a face has vertex index {}, outside 0..{}", name_, t[k], vertices));
+                throw Error::Read(fmt::format("{}: mesh {}: a face has vertex index {}, outside 0..{}", name_, mesh, t[k], int(vertices) - 1));
         if (mirrored)
             std::swap(t.y, t.z);
         mesh_.triangles.push_back(t + first);
@@ -110,6 +112,7 @@ Mesh read_with_assimp(FileBytes file, const std::string& ending)
     check_beginning(file, ending);
     if (ending == "glb" || ending == "gltf")
         check_gltf_claims(file.bytes, ending == "glb", file.name);
+    const std::size_t size = file.bytes.size();
     Assimp::Importer importer;
     // Only shape is wanted: this keeps materials, textures, bones and animations from being read where it can.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_ANIMATIONS | aiComponent_BONEWEIGHTS | aiComponent_CAMERAS |
@@ -123,13 +126,13 @@ Mesh read_with_assimp(FileBytes file, const std::string& ending)
         const aiScene* scene = has_path ? importer.ReadFile(file.name, steps)
                                         : importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), steps, ending.c_str());
         if (!scene || !scene->mRootNode)
-            throw Error::Read(fmt::format("{}: cannot be read as {}: {}", file.name, ending, one_line(importer.GetErrorString())));
+            throw Error::Read(fmt::format("{}: its {} bytes cannot be read as {}: {}", file.name, size, ending, one_line(importer.GetErrorString())));
         std::string().swap(file.bytes);
         return SceneJoiner(*scene, file.name).join();
     } catch (const Error&) {
         throw;
     } catch (const std::exception& e) {
-        throw Error::Read(fmt::format("{}: cannot be read as {}: {}", file.name, ending, one_line(e.what())));
+        throw Error::Read(fmt::format("{}: its {} bytes cannot be read as {}: {}", file.name, size, ending, one_line(e.what())));
     }
 }
 

@@ -92,6 +92,7 @@ ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOpt
         throw Error::Read(fmt::format("{}: is empty", name));
     const std::string format = format_of(path, options.format, file.bytes, name);
     ReadResult result;
+    const std::size_t size = file.bytes.size();
     result.mesh = read_format(std::move(file), format, options.keep_polygons, result.notes);
     Mesh& mesh = result.mesh;
     if (!options.keep_polygons) {
@@ -108,7 +109,7 @@ ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOpt
         std::string why;
         for (const std::string& note : result.notes)
             why += (why.empty() ? " (" : "; ") + note;
-        throw Error::Read(fmt::format("{}: holds no face{}", name, why.empty() ? why : why + ")"));
+        throw Error::Read(fmt::format("{}: holds no face in its {} bytes{}", name, size, why.empty() ? why : why + ")"));
     }
     return result;
 }

@@ -43,7 +43,7 @@ VertexLayout vertex_layout(const PlyElement& e, const std::string& name)
                                find_any(e, {"blue", "b", "diffuse_blue"}), find_any(e, {"alpha", "a"})}};
     for (int k = 0; k < 3; ++k)
         if (at.position[k] < 0)
-            throw Error::Read(fmt::format("{}: its vertices have no property '{}'", name, "xyz"[k]));
+            throw Error::Read(fmt::format("{}: line {}: its vertices have no property '{}'", name, e.line, "xyz"[k]));
     at.has_normal = at.normal[0] >= 0 && at.normal[1] >= 0 && at.normal[2] >= 0;
     at.has_uv = at.uv[0] >= 0 && at.uv[1] >= 0;
     at.has_colour = at.colour[0] >= 0 && at.colour[1] >= 0 && at.colour[2] >= 0;
@@ -90,7 +90,7 @@ int index_property(const PlyElement& faces, const std::string& name)
     for (std::string_view candidate : {"vertex_indices", "vertex_index"})
         if (const int i = faces.find(candidate); i >= 0 && faces.properties[std::size_t(i)].is_list())
             return i;
-    throw Error::Read(fmt::format("{}: its faces have no list 'vertex_indices'", name));
+    throw Error::Read(fmt::format("{}: line {}: its faces have no list 'vertex_indices'", name, faces.line));
 }
 
 template <class T> T load(const char* at, bool swap)
@@ -339,8 +339,8 @@ public:
             if (element.properties.empty())
                 continue;
             if (element.count > left)
-                throw Error::Read(fmt::format("{}: the header claims {} rows of element '{}', but {} lines are left for them", file.name,
-                                              element.count, shown(element.name), left));
+                throw Error::Read(fmt::format("{}: line {}: the header claims {} rows of element '{}', but {} lines are left for them", file.name,
+                                              element.line, element.count, shown(element.name), left));
             left -= element.count;
         }
     }
@@ -448,9 +448,9 @@ Mesh read_ply(FileBytes source, bool keep_polygons, std::vector<std::string>& no
     file.vertex = file.header.find("vertex");
     file.face = file.header.find("face");
     if (!file.vertex || !file.face)
-        throw Error::Read(fmt::format("{}: holds no {}", file.name, file.vertex ? "face" : "vertex"));
+        throw Error::Read(fmt::format("{}: line {}: the header ends, and named no element '{}' with properties", file.name, file.header.lines, file.vertex ? "face" : "vertex"));
     if (file.vertex->count >= none)
-        throw Error::Read(fmt::format("{}: the header claims {} vertices, more than 32-bit indices can name", file.name, file.vertex->count));
+        throw Error::Read(fmt::format("{}: line {}: the header claims {} vertices, more than 32-bit indices can name", file.name, file.vertex->line, file.vertex->count));
     const VertexLayout layout = vertex_layout(*file.vertex, file.name);
     file.indices = index_property(*file.face, file.name);
 

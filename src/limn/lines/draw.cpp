@@ -10,6 +10,7 @@
 #include "limn/lines/clip.h"
 #include "limn/lines/cluster_extract.h"
 #include "limn/lines/contour.h"
+#include "limn/lines/inked_edges.h"
 #include "limn/lines/inside.h"
 #include "limn/lines/mesh_contour.h"
 #include "limn/lines/outline.h"
@@ -211,8 +212,10 @@ Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const Li
     std::vector<Occluder> hiding = occluders_of_contours(context, contours.segments, chains, curvature);
     add_border_occluders(context, features.borders, hiding);
     const OccluderGrid occluders(std::move(hiding), camera);
+    std::vector<InkedPart> inked;
     if (options.has(LineType::contour)) {
         const ChainElements decided = find_visibility(context, contours.rule, contours.segments, chains, curvature, occluders);
+        inked = find_inked_parts(model, contours.segments, decided);
         measured.visibility_seconds += watch.lap();
         add_strokes(contours, chains, decided);
     }
@@ -220,7 +223,9 @@ Drawing draw_from_outside(const LineModel& model, const RayScene& rays, const Li
         clip_to_near_plane(lines.segments, projector);
         const Chains line_chains = chain_segments(lines.segments);
         measured.chain_seconds += watch.lap();
-        const ChainElements decided = find_visibility(context, lines.rule, lines.segments, line_chains, {}, occluders);
+        ChainElements decided = find_visibility(context, lines.rule, lines.segments, line_chains, {}, occluders);
+        if (lines.rule == VisibilityRule::edge)
+            mark_inked(model, inked, lines.segments, decided);
         measured.visibility_seconds += watch.lap();
         add_strokes(lines, line_chains, decided);
     }

@@ -9,11 +9,16 @@
 namespace limn {
 namespace {
 
+/// What is made of an element.
+enum class Fate : std::uint8_t { hidden, visible, left_out };
+
+Fate fate_of(const Element& e) { return e.inked ? Fate::left_out : e.visible ? Fate::visible : Fate::hidden; }
+
 /// Elements [begin, end) of a chain, counted on past its end where a closed chain is walked from its middle.
 struct Run {
     std::size_t begin, end;
-    bool visible;
-    bool inner; ///< a run of the other state stands at both ends
+    Fate fate;
+    bool inner; ///< a run of another fate stands at both ends
 };
 
 class ChainStrokes {
@@ -28,39 +33,39 @@ public:
         const std::size_t n = elements_.size();
         std::size_t first = 0;
         if (closed_)
-            while (first < n && elements_[first].visible == elements_[(first + n - 1) % n].visible)
+            while (first < n && fate_of(elements_[first]) == fate_of(elements_[(first + n - 1) % n]))
                 ++first;
         if (first == n)
-            return {{0, n, elements_[0].visible, false}};
+            return {{0, n, fate_of(elements_[0]), false}};
         std::vector<Run> runs;
         for (std::size_t k = first; k < first + n;) {
             std::size_t end = k + 1;
-            while (end < first + n && element(end).visible == element(k).visible)
+            while (end < first + n && fate_of(element(end)) == fate_of(element(k)))
                 ++end;
-            runs.push_back({k, end, element(k).visible, closed_ || (k > 0 && end < n)});
+            runs.push_back({k, end, fate_of(element(k)), closed_ || (k > 0 && end < n)});
             k = end;
         }
         return runs;
     }
 
-    /// Hidden runs too short to be seen become visible; then visible ones too short to be drawn are dropped.
+    /// Hidden runs too short to be seen become visible; then visible ones too short to be drawn are dropped, and what is left out.
     std::vector<Run> tidied(double shortest) const
     {
         std::vector<Run> joined;
         for (Run run : runs()) {
-            if (!run.visible && run.inner && extent(run) < shortest)
-                run.visible = true;
-            if (!joined.empty() && joined.back().visible == run.visible)
+            if (run.fate == Fate::hidden && run.inner && extent(run) < shortest)
+                run.fate = Fate::visible;
+            if (!joined.empty() && joined.back().fate == run.fate)
                 joined.back().end = run.end;
             else
                 joined.push_back(run);
         }
-        if (closed_ && joined.size() > 1 && joined.front().visible == joined.back().visible) {
+        if (closed_ && joined.size() > 1 && joined.front().fate == joined.back().fate) {
             joined.front().begin = joined.back().begin;
             joined.front().end += elements_.size();
             joined.pop_back();
         }
-        std::erase_if(joined, [&](const Run& run) { return run.visible && extent(run) < shortest; });
+        std::erase_if(joined, [&](const Run& run) { return run.fate == Fate::left_out || (run.fate == Fate::visible && extent(run) < shortest); });
         return joined;
     }
 
@@ -68,7 +73,7 @@ public:
     {
         Stroke s;
         s.type = type;
-        s.visible = run.visible;
+        s.visible = run.fate == Fate::visible;
         s.closed = closed_ && run.end - run.begin == elements_.size();
         s.object = context_.model.object_of_face(segments_[element(run.begin).segment].face);
         const std::size_t count = run.end - run.begin + (s.closed ? 0 : 1);
@@ -145,7 +150,7 @@ std::vector<Stroke> make_strokes(const ViewContext& context, std::span<const Seg
             const std::span<const Element> elements(decided.elements.data() + decided.start[c], decided.elements.data() + decided.start[c + 1]);
             const ChainStrokes chain(context, segments, elements, chains.closed[c]);
             for (const Run& run : chain.tidied(options.shortest))
-                if (run.visible || options.keep_hidden)
+                if (run.fate == Fate::visible || options.keep_hidden)
                     clip_to_picture(chain.stroke(run, options.type), options.size, out);
         }
     });

@@ -15,7 +15,8 @@ struct StrokeOptions {
     ivec2 size = {0, 0};       ///< of the picture: strokes end at its border
 };
 
-/// Turns decided chains into strokes: maximal runs of one visibility, with exact ends at the cuts.
+/// Turns decided chains into strokes: maximal runs of one visibility, with exact ends at the cuts. What is inked already is left
+/// out (Element::inked).
 std::vector<Stroke> make_strokes(const ViewContext& context, std::span<const Segment> segments, const Chains& chains,
                                  const ChainElements& decided, const StrokeOptions& options);
 

@@ -35,6 +35,7 @@ struct Element {
     bool may_hide, may_appear; ///< whether a change to hidden / to visible is expected where it starts
     bool cusp;          ///< it starts at a cusp: any change is expected
     bool visible;
+    bool inked = false; ///< another line already draws it: it makes no stroke
 };
 
 /// Elements of chain c are elements[start[c]] … elements[start[c+1]-1].
