@@ -11,6 +11,8 @@ struct Subcommand {
 };
 
 Subcommand add_bench(CLI::App& limn);
+Subcommand add_completions(CLI::App& limn);
 Subcommand add_draw(CLI::App& limn);
 Subcommand add_info(CLI::App& limn);
+Subcommand add_man(CLI::App& limn);
 Subcommand add_sample(CLI::App& limn);
