@@ -43,7 +43,7 @@ bool bends_away(const LineModel& m, const Segment& s)
     return height <= 0;
 }
 
-bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const Segment& s, const vec3& p, float step, float exit)
+bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const Segment& s, const vec3& p, float step, float exit, bool from_within)
 {
     if (rule == VisibilityRule::surface && facing_in_face(c.model, c.facing, s.face, p) < 0)
         return false;
@@ -54,8 +54,8 @@ bool is_surface_point_visible(const ViewContext& c, VisibilityRule rule, const S
         if (hit.triangle == s.face || hit.triangle == s.other)
             return false;
         const uvec3& t = c.model.faces[hit.triangle];
-        const float f = (1 - hit.u - hit.v) * c.facing[t.x] + hit.u * c.facing[t.y] + hit.v * c.facing[t.z];
-        const float distance = hit.distance * unit;
+        const float outside = (1 - hit.u - hit.v) * c.facing[t.x] + hit.u * c.facing[t.y] + hit.v * c.facing[t.z];
+        const float f = from_within ? -outside : outside, distance = hit.distance * unit;
         return f < 0 ? distance > 0.5f * step : distance > exit * step || c.model.component[hit.triangle] != component;
     });
 }

@@ -18,7 +18,9 @@ bool bends_away(const LineModel& model, const Segment& segment);
 ///   the interpolated n.v at the hit is negative and it is farther than 0.5 h: an occluder is entered through its back, or
 ///   n.v is positive and it is farther than `exit` h or on another component (line-visibility specification, section 3).
 /// A surface line whose point itself turns away is hidden without a ray.
-bool is_surface_point_visible(const ViewContext& context, VisibilityRule rule, const Segment& segment, const vec3& p, float step, float exit = 3);
+/// @param from_within  the point's own side of the surface is its inside, seen through a hole: n.v counts with the other sign
+bool is_surface_point_visible(const ViewContext& context, VisibilityRule rule, const Segment& segment, const vec3& p, float step, float exit = 3,
+                              bool from_within = false);
 
 /// Whether a point on a mesh edge (of the segment's faces `face` and `other`) sees the eye: no face but these two is hit beyond
 /// .02 h. Which sides the two faces show does not matter: a ray into a solid hits it from within, and a shell shows its inside.

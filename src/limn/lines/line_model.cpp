@@ -91,6 +91,18 @@ void find_split_edges(LineModel& model)
             model.split_edges.push_back(h);
 }
 
+void find_open_components(LineModel& model)
+{
+    std::uint32_t count = 0;
+    for (const std::uint32_t component : model.component)
+        count = std::max(count, component + 1);
+    model.open_component.assign(count, 0);
+    const std::vector<std::uint32_t>& twin = model.solid().twin;
+    for (std::size_t h = 0; h < twin.size(); ++h)
+        if (twin[h] == none)
+            model.open_component[model.component[h / 3]] = 1;
+}
+
 /// Appends the twins of one object whose half-edges are numbered from `first` on.
 void append_twins(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& twins, std::uint32_t first)
 {
@@ -115,6 +127,7 @@ void join_connectivities(LineModel& model, std::span<const PlacedSurface> placed
         }
     }
     find_split_edges(model);
+    find_open_components(model);
 }
 
 } // namespace
@@ -145,6 +158,7 @@ void connect_faces(LineModel& model)
     }
     model.component = find_shells(model.solid());
     find_split_edges(model);
+    find_open_components(model);
 }
 
 LineModel build_line_model(std::span<const PlacedSurface> placed)

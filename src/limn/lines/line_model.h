@@ -48,6 +48,7 @@ struct LineModel {
     // Per face.
     std::vector<uvec3> faces;
     std::vector<std::uint32_t> component; ///< (object, shell), numbered from 0
+    std::vector<std::uint8_t> open_component; ///< per component: 1 where it has an edge without a second face
     Adjacency adjacency;                  ///< across edges where the surface is smooth
     // Where the mesh was split along creases; all empty where it was not.
     std::vector<std::uint32_t> weld;      ///< per vertex: the first one at the same place
@@ -63,6 +64,8 @@ struct LineModel {
     vec3 from_world(const dvec3& p) const { return vec3((p - centre) / scale); }
     /// Neighbours of faces in the solid, whether the edge between them is smooth or a crease.
     const Adjacency& solid() const { return weld.empty() ? adjacency : welded_adjacency; }
+    /// Whether the face's component has a hole.
+    bool is_open(std::uint32_t face) const { return open_component[component[face]] != 0; }
     /// The vertex that stands for all at the same place.
     std::uint32_t welded(std::uint32_t vertex) const { return weld.empty() ? vertex : weld[vertex]; }
     /// The id of a vertex among those of edges, for ends of lines that lie on vertices.

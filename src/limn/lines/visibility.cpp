@@ -388,17 +388,20 @@ ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::sp
     const auto is_visible = [&](const Element& e, float t) {
         const Segment& s = segments[e.segment];
         float exit = 3;
+        bool from_within = false;
         if (!link_of.empty()) {
             const std::uint32_t l = link_of[e.segment];
             const float along = chains.links[l].reversed ? 1 - t : t;
             const float kr = glm::mix(curvature.enter[l], curvature.leave[l], along);
             // Nearly flat: the sign is noise, only the ray decides.
-            if (kr < 0 && -kr * e.step >= 1e-4f)
+            from_within = kr < 0 && -kr * e.step >= 1e-4f;
+            // The surface in front of such a point hides it, unless the shell has a hole through which its inside is seen.
+            if (from_within && !c.model.is_open(s.face))
                 return false;
-            exit = exit_distance(c.model, s, kr);
+            exit = exit_distance(c.model, s, std::abs(kr));
         }
         const vec3 p = glm::mix(s.a, s.b, t);
-        return lies_on_edge(rule, s) ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step, exit);
+        return lies_on_edge(rule, s) ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step, exit, from_within);
     };
     parallel_each(result.elements.size(), grain, [&](std::size_t k) {
         Element& e = result.elements[k];
