@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace limn::gpu {
+
+/// What a driver says of itself.
+struct DriverInfo {
+    std::string vendor, renderer, version; ///< GL_VENDOR, GL_RENDERER, GL_VERSION
+    bool software = false;                 ///< rasterises on the processor (llvmpipe)
+    int max_texture_size = 0;              ///< texels along an edge
+};
+
+/// An OpenGL 4.5 core context without a window (EGL): hardware devices first, then the driver's own choice, which is Mesa's
+/// software renderer where there is no other. It is current on the thread that made it, and every object of this folder must
+/// be used on that thread while it lives. One at a time in a thread.
+class Context {
+public:
+    /// @throws Error::Device in one line that names each way tried and why it failed.
+    Context();
+    ~Context();
+    Context(Context&&) noexcept;
+    Context& operator=(Context&&) noexcept;
+
+    const DriverInfo& info() const { return info_; }
+
+    /// Calls back for every error and undefined behaviour that the driver reports from now on (tests make them failures).
+    void on_problem(std::function<void(const std::string& message)> report);
+
+private:
+    struct Egl;
+    std::unique_ptr<Egl> egl_;
+    DriverInfo info_;
+};
+
+/// Waits for all submitted work and throws what went wrong since the last call.
+/// @throws Error::Device with the first OpenGL error's name and `what` was going on.
+void check_errors(const char* what);
+
+} // namespace limn::gpu

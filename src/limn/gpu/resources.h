@@ -1,0 +1,118 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "limn/base/vec.h"
+
+namespace limn::gpu {
+
+/// Owns one OpenGL name and deletes it.
+template <void (*remove)(unsigned)> class Name {
+public:
+    Name() = default;
+    explicit Name(unsigned id) : id_(id) {}
+    ~Name()
+    {
+        if (id_ != 0)
+            remove(id_);
+    }
+    Name(Name&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Name& operator=(Name&& other) noexcept
+    {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+    unsigned id() const { return id_; }
+
+private:
+    unsigned id_ = 0;
+};
+
+void delete_buffer(unsigned id);
+void delete_texture(unsigned id);
+void delete_framebuffer(unsigned id);
+void delete_vertex_array(unsigned id);
+void delete_query(unsigned id);
+using Texture = Name<delete_texture>;
+using VertexArray = Name<delete_vertex_array>;
+
+/// Bytes on the device.
+class Buffer {
+public:
+    Buffer() = default;
+    /// @throws Error::Device where the device has no room.
+    explicit Buffer(std::size_t bytes, const void* data = nullptr);
+    template <class T> explicit Buffer(const std::vector<T>& data) : Buffer(data.size() * sizeof(T), data.data()) {}
+
+    unsigned id() const { return name_.id(); }
+    std::size_t bytes() const { return bytes_; }
+    void write(std::size_t offset, std::size_t bytes, const void* data) const;
+    void clear() const; ///< to zero
+    /// Waits for the device.
+    template <class T> std::vector<T> read(std::size_t count, std::size_t first = 0) const
+    {
+        std::vector<T> data(count);
+        read_bytes(first * sizeof(T), count * sizeof(T), data.data());
+        return data;
+    }
+    /// As shader storage at a binding point.
+    void bind_storage(unsigned binding) const;
+
+private:
+    void read_bytes(std::size_t offset, std::size_t bytes, void* data) const;
+    Name<delete_buffer> name_;
+    std::size_t bytes_ = 0;
+};
+
+/// The formats of pictures on the device.
+enum class Format : std::uint8_t { rgba8, r32f, rgba32f, r32ui, depth32f };
+
+/// A picture on the device with one level. @throws Error::Device where the device has no room.
+Texture make_texture(Format format, ivec2 size);
+
+/// Pictures that a program draws into, with a depth buffer: Mesa's software renderer loses what fragment shaders write to
+/// buffers where there is none.
+class Framebuffer {
+public:
+    /// One colour picture for each format.
+    /// @throws Error::Device where the device has no room or cannot draw into such pictures.
+    Framebuffer(ivec2 size, const std::vector<Format>& colours);
+
+    ivec2 size() const { return size_; }
+    void bind() const; ///< draws go here, over the whole picture
+    void clear(int colour, const vec4& value) const;
+    void clear(int colour, unsigned value) const;
+    void clear_depth(float value = 1) const;
+    const Texture& colour(int index) const { return colours_[std::size_t(index)]; }
+    const Texture& depth() const { return depth_; }
+
+    /// Pixels of a colour picture, rows from the bottom to the top as OpenGL has them. Waits for the device.
+    std::vector<vec4> read_floats(int colour) const;
+    std::vector<unsigned> read_unsigned(int colour) const;
+    std::vector<float> read_depth() const;
+
+private:
+    ivec2 size_;
+    std::vector<Texture> colours_;
+    Texture depth_;
+    Name<delete_framebuffer> name_;
+};
+
+/// Time on the device between two moments. (Two time stamps: Mesa's software renderer measures nonsense as the time elapsed
+/// where nothing but a clearing happens.)
+class Timer {
+public:
+    Timer();
+    void start() const;
+    void stop() const;
+    double milliseconds() const; ///< waits for the device
+
+private:
+    Name<delete_query> begin_, end_;
+};
+
+VertexArray make_vertex_array();
+
+} // namespace limn::gpu

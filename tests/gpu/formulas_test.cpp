@@ -1,0 +1,222 @@
+// One formula, one text: each is evaluated at random points by the device and by the processor. Results may differ by 1e-5 of the
+// formula's largest term, since a sum that cancels keeps the rounding of what it adds up.
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include "gpu/gpu.h"
+#include "limn/base/random.h"
+#include "limn/formulas/formulas.h"
+#include "limn/gpu/program.h"
+#include "limn/gpu/resources.h"
+
+namespace limn::test {
+namespace {
+
+using namespace formulas;
+
+constexpr std::size_t points = 100000, outputs = 6;
+constexpr float tolerance = 1e-5f;
+
+/// What a formula may read at one point; the layout is std430's.
+struct Point {
+    vec4 v, n, e1, e2; ///< view vector of any length; an orthonormal frame
+    vec4 derivative;
+    vec4 k;            ///< k1, k2, and two numbers in [0,1]
+};
+
+/// A result and the size of its largest term.
+struct Value {
+    float result = 0, term = 1;
+};
+using Values = std::array<Value, outputs>;
+
+std::vector<Point> random_points(std::uint64_t seed)
+{
+    std::vector<Point> all(points);
+    for (std::size_t i = 0; i < points; ++i) {
+        Random random(seed, i);
+        const auto direction = [&] { return glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal()))); };
+        const auto number = [&](double size) { return float(size * random.normal()); };
+        const vec3 n = direction(), e1 = glm::normalize(glm::cross(n, direction())), e2 = glm::cross(n, e1);
+        const vec3 v = float(random.uniform(0.5, 5)) * direction();
+        const float size = float(std::exp(random.uniform(-4, 4)));
+        all[i] = {vec4(v, 0), vec4(n, 0), vec4(e1, 0), vec4(e2, 0), vec4(number(1), number(1), number(1), number(1)) * size * size,
+                  vec4(number(1) * size, number(1) * size, float(random.uniform(0, 1)), float(random.uniform(0, 1)))};
+    }
+    return all;
+}
+
+/// Runs `body` for each point; it reads p (a Point) and writes r[0] ... r[5].
+std::vector<float> on_device(const std::string& body, const std::vector<Point>& all)
+{
+    const std::string text = fmt::format(R"(#include "limn/formulas/radial_curvature.glsl"
+#include "limn/formulas/apparent_ridge.glsl"
+#include "limn/formulas/shading.glsl"
+layout(local_size_x = 64) in;
+struct Point {{ vec4 v; vec4 n; vec4 e1; vec4 e2; vec4 derivative; vec4 k; }};
+layout(std430, binding = 0) readonly buffer Points {{ Point points[]; }};
+layout(std430, binding = 1) writeonly buffer Results {{ float results[]; }};
+void main()
+{{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= uint(points.length()))
+        return;
+    Point p = points[i];
+    vec3 v = p.v.xyz; vec3 n = p.n.xyz;
+    RadialTerms t = radial_terms(v, n, p.e1.xyz, p.e2.xyz, p.k.x, p.k.y);
+    float r[{0}] = float[{0}](0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
+    {1}
+    for (uint k = 0u; k < {0}u; ++k)
+        results[{0}u * i + k] = r[k];
+}}
+)",
+                                         outputs, body);
+    const gpu::Program program({{gpu::Stage::compute, "formula.comp", text}});
+    const gpu::Buffer in(all), out(all.size() * outputs * sizeof(float));
+    in.bind_storage(0);
+    out.bind_storage(1);
+    program.use();
+    glDispatchCompute(unsigned(all.size() + 63) / 64, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    return out.read<float>(all.size() * outputs);
+}
+
+struct Formula {
+    const char* name;
+    const char* body; ///< GLSL
+    std::function<Values(const Point&, const RadialTerms&)> on_processor;
+};
+
+float sum(std::initializer_list<float> terms)
+{
+    float all = 0;
+    for (const float term : terms)
+        all += std::abs(term);
+    return all;
+}
+
+/// The sizes of the terms of the derivatives of the radial curvature.
+float slope_terms(const Point& p, const RadialTerms& t, float per_distance)
+{
+    const vec4& d = p.derivative;
+    const float k = sum({p.k.x, p.k.y}), cot = std::abs(t.nv) / std::sqrt(t.w2);
+    return 3 * sum({d.x, d.y, d.z, d.w}) + 2 * k * k * cot + 2 * k * per_distance;
+}
+
+RadialTerms terms_of(const Point& p) { return radial_terms(vec3(p.v), vec3(p.n), vec3(p.e1), vec3(p.e2), p.k.x, p.k.y); }
+
+Values view_in_frame(const Point& p, const RadialTerms& t)
+{
+    const float length = std::sqrt(t.vv), curvature = sum({p.k.x * t.a * t.a, p.k.y * t.b * t.b});
+    return {{{t.nv, length}, {t.a, length}, {t.b, length}, {t.w2, t.w2}, {t.vv, t.vv}, {t.f, curvature}}};
+}
+
+Values radial(const Point& p, const RadialTerms& t)
+{
+    const float per = 1 / std::sqrt(t.w2);
+    return {{{radial_curvature(t, p.k.x, p.k.y), sum({p.k.x, p.k.y})},
+             {radial_curvature_derivative(t, p.k.x, p.k.y, p.derivative), slope_terms(p, t, 0)},
+             {radial_curvature_derivative_across(t, p.k.x, p.k.y, p.derivative, per), slope_terms(p, t, per)},
+             {is_head_on(t) ? 1.0f : 0.0f, 0}}};
+}
+
+Values strength(const Point& p, const RadialTerms& t)
+{
+    const float d = radial_curvature_derivative(t, p.k.x, p.k.y, p.derivative), size = p.k.z;
+    const float g = suggestive_strength(t, d, size, 0.02f);
+    return {{{g, 0.02f + size * size * slope_terms(p, t, 0)}, {faded_ink(p.k.z, 0.5f), 1}, {faded_ink(p.k.z, 0.0f), 0}}};
+}
+
+Values speeds(const Point& p, const RadialTerms& t)
+{
+    const float along = p.derivative.x, across = p.derivative.y;
+    float turn = 0, gradient = 0;
+    suggestive_speed_parts(t, p.k.x, p.k.y, along, across, turn, gradient);
+    const float k = sum({p.k.x, p.k.y}), speed = suggestive_speed(t, p.k.x, p.k.y, along, across), contour = contour_speed(t, p.k.x, p.k.y);
+    // A speed is large where what it divides by cancels.
+    const float bend = 1 / (contour * std::sqrt(t.w2));
+    return {{{turn, 2 * k}, {gradient, gradient}, {speed, speed + 2 * k / gradient}, {contour, contour * (1 + 2 * k / bend)}}};
+}
+
+Values apparent(const Point& p, const RadialTerms& t)
+{
+    const float length = std::sqrt(t.vv), cosine = 0.1f + 0.9f * std::min(std::abs(t.nv) / length, 1.0f);
+    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine)), w_length = std::sqrt(t.w2);
+    const vec2 w = vec2(t.a, t.b) * (sine / w_length);
+    const ApparentRidge r = apparent_ridge(cosine, w, p.k.x, p.k.y, p.derivative, 0.25f);
+    // The direction of the larger of two singular values is as uncertain as they are close.
+    const float x = 1 / (cosine * (1 + cosine)), k = sum({p.k.x, p.k.y}), other = std::abs(p.k.x * p.k.y) / (cosine * r.q);
+    const float apart = std::max(1e-6f, (r.q - other) / r.q), uncertain = 1 / (apart * apart);
+    return {{{r.q, k * x * x}, {std::abs(r.along), uncertain}, {std::abs(r.across), uncertain},
+             {std::abs(r.slope), uncertain * 8 * x * x * x * (sum({p.derivative.x, p.derivative.y, p.derivative.z, p.derivative.w}) + k * k + k)}}};
+}
+
+Values shading(const Point& p, const RadialTerms&)
+{
+    const vec3 n = vec3(p.n), v = glm::normalize(vec3(p.v)), seen = seen_normal(n, v);
+    return {{{seen.x, 1}, {seen.y, 1}, {seen.z, 1}, {diffuse(seen, vec3(p.e1)), 1}}};
+}
+
+Values toon(const Point& p, const RadialTerms&)
+{
+    // Away from the steps, where the last bit decides.
+    const float lit = (std::floor(p.k.z * 20) + 0.5f) / 20;
+    return {{{toon_tone(lit, 0.3f, 2.0f), 1}, {toon_tone(lit, 0.31f, 5.0f), 1}}};
+}
+
+const Formula formulas_of_the_library[] = {
+    {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
+    {"radial_curvature and derivatives",
+     "r[0] = radial_curvature(t, p.k.x, p.k.y); r[1] = radial_curvature_derivative(t, p.k.x, p.k.y, p.derivative);"
+     "r[2] = radial_curvature_derivative_across(t, p.k.x, p.k.y, p.derivative, 1.0f / sqrt(t.w2)); r[3] = is_head_on(t) ? 1.0f : 0.0f;",
+     radial},
+    {"suggestive_strength, faded_ink",
+     "float d = radial_curvature_derivative(t, p.k.x, p.k.y, p.derivative); r[0] = suggestive_strength(t, d, p.k.z, 0.02f);"
+     "r[1] = faded_ink(p.k.z, 0.5f); r[2] = faded_ink(p.k.z, 0.0f);",
+     strength},
+    {"speeds",
+     "suggestive_speed_parts(t, p.k.x, p.k.y, p.derivative.x, p.derivative.y, r[0], r[1]);"
+     "r[2] = suggestive_speed(t, p.k.x, p.k.y, p.derivative.x, p.derivative.y); r[3] = contour_speed(t, p.k.x, p.k.y);",
+     speeds},
+    {"apparent_ridge",
+     "float cosine = 0.1f + 0.9f * min(abs(t.nv) / sqrt(t.vv), 1.0f); float sine = sqrt(max(0.0f, 1.0f - cosine * cosine));"
+     "vec2 w = vec2(t.a, t.b) * (sine / sqrt(t.w2)); ApparentRidge a = apparent_ridge(cosine, w, p.k.x, p.k.y, p.derivative, 0.25f);"
+     "r[0] = a.q; r[1] = abs(a.along); r[2] = abs(a.across); r[3] = abs(a.slope);",
+     apparent},
+    {"seen_normal, diffuse",
+     "vec3 seen = seen_normal(n, normalize(v)); r[0] = seen.x; r[1] = seen.y; r[2] = seen.z; r[3] = diffuse(seen, p.e1.xyz);", shading},
+    {"toon_tone", "float lit = (floor(p.k.z * 20.0f) + 0.5f) / 20.0f; r[0] = toon_tone(lit, 0.3f, 2.0f); r[1] = toon_tone(lit, 0.31f, 5.0f);", toon},
+};
+
+class GpuFormulas : public Gpu {};
+
+TEST_F(GpuFormulas, GiveTheSameOnBothSides)
+{
+    const std::vector<Point> all = random_points(11);
+    for (const Formula& formula : formulas_of_the_library) {
+        const std::vector<float> device = on_device(formula.body, all);
+        float worst = 0;
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Values values = formula.on_processor(all[i], terms_of(all[i]));
+            for (std::size_t k = 0; k < outputs; ++k) {
+                const float difference = std::abs(device[outputs * i + k] - values[k].result), term = values[k].term;
+                if (!(difference <= tolerance * term) && wrong++ < 3)
+                    ADD_FAILURE() << formula.name << ", result " << k << " at point " << i << ": " << device[outputs * i + k] << " on the device, "
+                                  << values[k].result << " on the processor, largest term " << term;
+                if (term > 0)
+                    worst = std::max(worst, difference / term);
+            }
+        }
+        EXPECT_EQ(wrong, 0u) << formula.name;
+        fmt::print("[ formula  ] {}: largest difference {:.1e} of the largest term\n", formula.name, worst);
+    }
+}
+
+} // namespace
+} // namespace limn::test
