@@ -54,10 +54,10 @@ double sum(const std::vector<DrawnView>& views, double DrawReport::*member)
 
 } // namespace
 
-std::string draw_report(const Models& models, const std::vector<DrawnView>& views, const std::vector<std::string>& written,
+std::string draw_report(const std::string& command, const Models& models, const std::vector<DrawnView>& views, const std::vector<std::string>& written,
                         const Warnings& warnings, const Times& times)
 {
-    nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", "draw"}};
+    nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", command}};
     for (const Input& input : models.inputs)
         json["inputs"].push_back(json_of(input));
     json["warnings"] = warnings.all();

@@ -15,4 +15,5 @@ Subcommand add_completions(CLI::App& limn);
 Subcommand add_draw(CLI::App& limn);
 Subcommand add_info(CLI::App& limn);
 Subcommand add_man(CLI::App& limn);
+Subcommand add_render(CLI::App& limn);
 Subcommand add_sample(CLI::App& limn);

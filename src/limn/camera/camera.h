@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "limn/base/vec.h"
 #include "limn/geometry/bounds.h"
@@ -59,5 +60,9 @@ std::string camera_to_json(const Camera& camera);
 /// Reads that object, or the one under the key "camera" of a report or drawing. `eye` and `look` are required.
 /// @throws Error::Input naming the key that is missing, unknown or out of range.
 Camera camera_from_json(std::string_view text);
+/// Reads a list of such objects: an array, or the array under the key "cameras", or under "views" as reports have it.
+/// @param name  stands in messages
+/// @throws Error::Input naming the camera of the list, counted from 0, and the key.
+std::vector<Camera> cameras_from_json(std::string_view text, const std::string& name);
 
 } // namespace limn

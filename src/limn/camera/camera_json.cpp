@@ -130,4 +130,28 @@ Camera camera_from_json(std::string_view text)
     return camera;
 }
 
+std::vector<Camera> cameras_from_json(std::string_view text, const std::string& name)
+{
+    const auto refused = [&](const std::string& why) { return Error::Input(fmt::format("{}: {}", name, why)); };
+    Json json;
+    try {
+        json = parse(text);
+    } catch (const Error::Input& error) {
+        throw refused(error.what());
+    }
+    for (const char* key : {"cameras", "views"})
+        if (json.is_object() && json.contains(key))
+            json = Json(json[key]);
+    if (!json.is_array() || json.empty())
+        throw refused("found no list of cameras");
+    std::vector<Camera> cameras;
+    for (const Json& entry : json)
+        try {
+            cameras.push_back(camera_from_json(entry.dump()));
+        } catch (const Error::Input& error) {
+            throw refused(fmt::format("entry {}: {}", cameras.size(), error.what()));
+        }
+    return cameras;
+}
+
 } // namespace limn

@@ -64,6 +64,26 @@ Image rasterise(const Painting& painting, double density)
 
 Image rasterise(const Drawing& drawing, const Style& style, double density) { return rasterise(compose(drawing, style), density); }
 
+Image lay_over(const Image& picture, const Drawing& drawing, const Style& style)
+{
+    if (picture.channels != 3 || picture.size() != drawing.camera.size)
+        throw Error::Input(fmt::format("a picture of {} x {} with {} channels does not lie under a drawing of {} x {}", picture.width, picture.height,
+                                       picture.channels, drawing.camera.size.x, drawing.camera.size.y));
+    Drawing lines = drawing;
+    lines.background = {};
+    Style ink = style;
+    ink.page = {};
+    // Over black the ink shows its colour times its cover; over white what is left of the white says how much it covers.
+    ink.paper = vec3(0);
+    const Image on_black = rasterise(lines, ink);
+    ink.paper = vec3(1);
+    const Image on_white = rasterise(lines, ink);
+    Image result = picture;
+    for (std::size_t i = 0; i < result.samples.size(); ++i)
+        result.samples[i] = on_black.samples[i] + (on_white.samples[i] - on_black.samples[i]) * picture.samples[i];
+    return result;
+}
+
 std::string to_png(const Drawing& drawing, const Style& style)
 {
     const Painting painting = compose(drawing, style);

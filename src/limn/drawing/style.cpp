@@ -102,14 +102,6 @@ double width_from_text(std::string_view text)
     return width;
 }
 
-vec3 colour_from_text(std::string_view text)
-{
-    std::uint32_t rgb = 0;
-    const char* end = text.data() + text.size();
-    if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, rgb, 16).ptr != end)
-        throw Error::Input(fmt::format("--colour: '{}' is no colour; expected #RRGGBB", text));
-    return colour_of(rgb);
-}
 
 /// "type=value" for all types, joined by commas.
 template <class Value> std::string list_types(Value&& value)
@@ -142,7 +134,7 @@ OptionRow<Style> colour_row()
 {
     return {"colour", "", "#000000..#ffffff", "line colour, for all types or as TYPE=#RRGGBB,...; give it after --style",
             [](Style& style, std::string_view text) { style.set_colours(text); },
-            [](const Style& style) { return list_types([&](LineType t) { return fmt::format("#{:06x}", rgb_of(style.line(t).colour)); }); }};
+            [](const Style& style) { return list_types([&](LineType t) { return colour_text(style.line(t).colour); }); }};
 }
 
 OptionRow<Style> page_row()
@@ -153,6 +145,17 @@ OptionRow<Style> page_row()
 }
 
 } // namespace
+
+vec3 colour_from_text(std::string_view option, std::string_view text)
+{
+    std::uint32_t rgb = 0;
+    const char* end = text.data() + text.size();
+    if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, rgb, 16).ptr != end)
+        throw Error::Input(fmt::format("--{}: '{}' is no colour; expected #RRGGBB", option, text));
+    return colour_of(rgb);
+}
+
+std::string colour_text(const vec3& colour) { return fmt::format("#{:06x}", rgb_of(colour)); }
 
 std::array<LineStyle, line_type_count> default_lines()
 {
@@ -209,7 +212,7 @@ void Style::set_widths(std::string_view text)
 
 void Style::set_colours(std::string_view text)
 {
-    for_each_type("colour", text, [&](LineType type, std::string_view value) { line(type).colour = colour_from_text(value); });
+    for_each_type("colour", text, [&](LineType type, std::string_view value) { line(type).colour = colour_from_text("colour", value); });
 }
 
 const OptionTable<Style>& style_option_table()

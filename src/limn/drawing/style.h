@@ -44,6 +44,10 @@ struct Page {
 Page page_from_text(std::string_view text);
 std::string page_text(const Page& page);
 
+/// An encoded colour from "#rrggbb". @throws Error::Input naming the option and the text.
+vec3 colour_from_text(std::string_view option, std::string_view text);
+std::string colour_text(const vec3& colour);
+
 /// Everything about paper, pens and colours. Widths are in mm on the page.
 struct Style {
     Style() { set_look(Look::plain); }

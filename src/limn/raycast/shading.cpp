@@ -22,6 +22,8 @@ void check(const ShadeOptions& options)
         throw Error::Input(fmt::format("{} samples of a pixel are outside 1..256", options.samples));
     if (options.to_light && !(glm::length(*options.to_light) > 0))
         throw Error::Input("the light has no direction");
+    if (options.to_light && options.lamp)
+        throw Error::Input("a distant light and a lamp were both asked for; give one");
 }
 
 /// A step in tone that the eye does not see: below it an edge needs no anti-aliasing.
@@ -52,14 +54,20 @@ bool is_even(const Image& image, int x, int y)
 struct Shader {
     const ShadeOptions& options;
     vec3 to_light; ///< zero: headlight
+    std::optional<vec3> lamp; ///< in the frame of the scene
     FragmentTracer tracer;
 
+    vec3 light_at(const Fragment& fragment) const
+    {
+        const vec3 d = lamp ? *lamp - fragment.position : vec3(0);
+        return d == vec3(0) ? to_light : glm::normalize(d);
+    }
     vec3 at(const dvec2& pixel) const
     {
         const Fragment fragment = tracer.at(pixel);
         if (!fragment.hit())
             return options.background;
-        float tone = diffuse_value(fragment, options.shading == Shading::flat ? fragment.face_normal : fragment.normal, to_light);
+        float tone = diffuse_value(fragment, options.shading == Shading::flat ? fragment.face_normal : fragment.normal, light_at(fragment));
         if (options.shading == Shading::toon)
             tone = formulas::toon_tone(tone, options.toon_limit, float(options.toon_levels));
         return glm::mix(options.dark, options.light, tone);
@@ -78,7 +86,8 @@ Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& op
 {
     check(options);
     const vec3 to_light = options.to_light ? vec3(glm::normalize(*options.to_light)) : vec3(0);
-    const Shader shader = {options, to_light, FragmentTracer(scene, camera)};
+    const std::optional<vec3> lamp = options.lamp ? std::optional(vec3((*options.lamp - scene.centre) / scene.scale)) : std::nullopt;
+    const Shader shader = {options, to_light, lamp, FragmentTracer(scene, camera)};
     Image centres(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t y) {
         for (int x = 0; x < camera.size.x; ++x)

@@ -17,6 +17,7 @@ enum class Shading : std::uint8_t {
 struct ShadeOptions {
     Shading shading = Shading::smooth;
     std::optional<dvec3> to_light; ///< world direction towards a distant light, any length; absent: a headlight at the eye
+    std::optional<dvec3> lamp;     ///< world position of a point light, instead of either
     int toon_levels = 2;           ///< tones of toon shading, 2..16
     float toon_limit = 0.3f;       ///< diffuse value below which toon shading is dark, in (0,1)
     vec3 dark = vec3(0.25f);       ///< encoded (sRGB) colour of unlit places
@@ -28,7 +29,7 @@ struct ShadeOptions {
 /// The shaded picture, RGB, of the camera's size. Anti-aliased with a box filter: one ray at each pixel's centre, and
 /// `samples` rays where one of the eight pixels around has another colour; what is narrower than a pixel may be missed where it
 /// hits no centre. Multi-threaded; same bytes for any number of threads.
-/// @throws Error::Input for a number out of range or a light without direction.
+/// @throws Error::Input for a number out of range, a light without direction, and both kinds of light at once.
 Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& options = {});
 
 /// Diffuse value of a fragment in [0,1]: Lambert's law for the side that is seen.

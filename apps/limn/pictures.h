@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common.h"
+#include "limn/drawing/style.h"
+#include "limn/lines/options.h"
+#include "limn/raycast/fragment.h"
+#include "models.h"
+#include "views.h"
+
+/// What `limn draw` and `limn render` have in common: models, cameras, lines, and files.
+struct PictureCommand {
+    std::string name;                 ///< of the subcommand
+    std::vector<std::string> formats; ///< that it writes
+    CommonOptions common;
+    ViewOptions view;
+    ModelOptions model;
+    limn::LineOptions lines;
+    limn::Style style;
+    limn::Need need = limn::Need::normals; ///< of the surface, besides what the lines need
+    int turntable = 0;                ///< frames; 0: one picture
+    std::string cameras;              ///< JSON file with a list of cameras, or ""
+};
+
+/// A model as lines and rays see it.
+struct SeenModel {
+    const limn::LineModel& lines;
+    const limn::SeenScene& scene;
+};
+
+/// Where the two differ.
+struct PictureHooks {
+    /// Puts what lies under the lines of one view into its drawing.
+    std::function<void(limn::Drawing&, const limn::SeenScene&)> underlay;
+    /// Writes a picture to one of the files asked for, and returns the names of all that it wrote.
+    std::function<std::vector<std::string>(const limn::Drawing&, const SeenModel&, const Output&)> write;
+};
+
+/// MODEL, --from, --cache, --turntable, --cameras, and the options of surfaces, cameras and every subcommand.
+void add_picture_options(CLI::App& app, PictureCommand& command, const std::string& output_help);
+
+/// Reads the models, draws the lines of every view, and writes every picture.
+void make_pictures(PictureCommand& command, const PictureHooks& hooks);

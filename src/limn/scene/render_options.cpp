@@ -1,0 +1,80 @@
+#include "limn/scene/render_options.h"
+
+#include "limn/drawing/style.h"
+
+namespace limn {
+namespace {
+
+using O = RenderOptions;
+
+/// "1,2,3". @throws Error::Input naming the option and the text.
+dvec3 parse_vector(std::string_view name, std::string_view text)
+{
+    dvec3 vector(0);
+    std::string_view rest = text;
+    for (int k = 0; k < 3; ++k) {
+        const std::size_t comma = rest.find(',');
+        if ((comma == std::string_view::npos) != (k == 2))
+            throw Error::Input(fmt::format("--{}: '{}' is not x,y,z", name, text));
+        vector[k] = parse_number(name, rest.substr(0, comma));
+        rest.remove_prefix(std::min(rest.size(), comma + 1));
+    }
+    return vector;
+}
+
+std::string vector_text(const std::optional<dvec3>& v, std::string_view otherwise)
+{
+    return v ? fmt::format("{},{},{}", v->x, v->y, v->z) : std::string(otherwise);
+}
+
+OptionRow<O> vector_row(std::string name, std::string otherwise, std::string help, std::optional<dvec3> O::*member)
+{
+    auto set = [=](O& options, std::string_view text) {
+        options.*member = text == otherwise ? std::nullopt : std::optional(parse_vector(name, text));
+    };
+    auto get = [=](const O& options) { return vector_text(options.*member, otherwise); };
+    return {name, "", "x,y,z|" + otherwise, std::move(help), set, get};
+}
+
+OptionRow<O> colour_row(std::string name, std::string help, vec3 O::*member)
+{
+    auto set = [=](O& options, std::string_view text) { options.*member = colour_from_text(name, text); };
+    auto get = [=](const O& options) { return colour_text(options.*member); };
+    return {name, "", "#rrggbb", std::move(help), set, get};
+}
+
+} // namespace
+
+ShadeOptions shade_options(const RenderOptions& options)
+{
+    ShadeOptions result;
+    result.shading = options.shading;
+    result.to_light = options.light;
+    result.lamp = options.lamp;
+    result.toon_levels = options.toon_levels;
+    result.toon_limit = options.toon_limit;
+    result.dark = options.shade * options.colour;
+    result.light = options.colour;
+    result.background = options.background;
+    result.samples = options.samples;
+    return result;
+}
+
+const OptionTable<RenderOptions>& render_option_table()
+{
+    static const OptionTable<RenderOptions> table = {
+        choice_row<O, Shading>("shading", {{"smooth", Shading::smooth}, {"flat", Shading::flat}, {"toon", Shading::toon}}, "how light falls on the surface", &O::shading),
+        vector_row("light", "headlight", "direction towards a distant light", &O::light),
+        vector_row("lamp", "none", "place of a point light", &O::lamp),
+        colour_row("surface-colour", "of lit places", &O::colour),
+        number_row("unlit", "", 0, 1, "tone of unlit places, as a part of the colour", &O::shade),
+        colour_row("background", "where nothing is seen", &O::background),
+        number_row("toon-levels", "", 2, 16, "tones of toon shading", &O::toon_levels),
+        number_row("toon-limit", "", 0.001, 0.999, "light below which toon shading is dark", &O::toon_limit),
+        number_row("samples", "", 1, 256, "rays through a pixel on an edge", &O::samples),
+        choice_row<O, int>("bits", {{"8", 8}, {"16", 16}}, "depth of a PNG's samples", &O::bits),
+    };
+    return table;
+}
+
+} // namespace limn

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "limn/base/options.h"
+#include "limn/raycast/shading.h"
+
+namespace limn {
+
+/// How a picture is lit and coloured. Colours are encoded (sRGB) RGB in [0,1].
+struct RenderOptions {
+    Shading shading = Shading::smooth;
+    std::optional<dvec3> light; ///< world direction towards a distant light; absent: a headlight at the eye
+    std::optional<dvec3> lamp;  ///< world position of a point light, instead of either
+    vec3 colour = vec3(0.85f, 0.83f, 0.8f); ///< of fully lit places
+    float shade = 0.25f;        ///< tone of unlit places, as a part of the colour
+    vec3 background = vec3(1);
+    int toon_levels = 2;
+    float toon_limit = 0.3f;
+    int samples = 16;           ///< rays of a pixel on an edge
+    int bits = 8;               ///< of a PNG's samples
+};
+
+ShadeOptions shade_options(const RenderOptions& options);
+
+/// The options above as data.
+const OptionTable<RenderOptions>& render_option_table();
+
+} // namespace limn
