@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of README.md and docs/ again, with the limn of build/.
+# Draws the pictures of README.md and docs/ again, with the limn of build/ (and ImageMagick for the one that joins five).
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 models=$(mktemp -d)
@@ -24,3 +24,16 @@ picture toon blob --size 600x450 --style toon
 picture strokes knot --size 600x450 --stroke outline
 picture hidden rings --size 600x450 --lines contour --hidden dash
 picture sheet cylinder --size 800x600 --lines technical --hidden dash --ortho --view front --view top --view right --view iso
+
+render() { # render NAME MODEL OPTIONS...
+    build/limn render "$models/$2.ply" --up-axis z --quiet --size 480x360 -o "docs/images/$1.png" "${@:3}"
+}
+
+render render-smooth knot
+render render-toon knot --shading toon --toon-levels 3 --light 1,3,2 --lines illustration
+render render-flat cylinder --shading flat --lines technical --light=-1,3,2
+render render-dark blob --style dark --surface-colour '#555555' --lines contour,suggestive,highlight
+for method in threshold depth-raw depth valley valley-printed; do
+    build/limn render "$models/blob.ply" --up-axis z --quiet --size 240x200 -o "$models/$method.png" --image-lines "$method" --unlit 1 --surface-colour '#ffffff'
+done
+montage "$models"/{threshold,depth-raw,depth,valley,valley-printed}.png -tile 5x -geometry +2+2 docs/images/image-lines.png

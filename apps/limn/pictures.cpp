@@ -222,7 +222,8 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     if (outputs.empty() && !command.common.json)
         throw Error::Input(fmt::format("nothing to do: give -o FILE ({}) or --json", join(command.formats, ", ")));
     check_numbered(command, outputs);
-    check_cpu_only(command.common, command.name);
+    if (!command.uses_gpu)
+        check_cpu_only(command.common, command.name);
     check_view_options(command.view);
     Console console(command.common.quiet);
 

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,9 @@
 #include "limn/drawing/exr.h"
 #include "limn/drawing/png.h"
 #include "limn/drawing/raster.h"
+#include "limn/gpu/context.h"
+#include "limn/gpu/image_lines.h"
+#include "limn/lines/image_lines.h"
 #include "limn/scene/passes.h"
 #include "limn/scene/render_options.h"
 #include "pictures.h"
@@ -30,6 +34,7 @@ constexpr const char* examples = R"(Examples:
 struct RenderCommand {
     PictureCommand pictures;
     RenderOptions render;
+    ImageLineOptions image_lines;
     std::string passes;
 };
 
@@ -71,6 +76,44 @@ std::vector<std::string> write_passes(const std::vector<Pass>& passes, const Cam
     return written;
 }
 
+/// Finds lines per pixel, on the device where one was opened.
+class PixelLines {
+public:
+    /// @throws Error::Device where `device` is gpu and there is none.
+    PixelLines(const ImageLineOptions& options, const std::string& device) : options_(options)
+    {
+        if (device == "gpu") {
+            context_.emplace();
+            finder_.emplace();
+        }
+    }
+
+    /// Darkens the picture along the lines. They are found at twice the size and averaged, so that they are not jagged.
+    void draw_on(Image& picture, const SeenScene& scene, const Camera& camera, const vec3& colour) const
+    {
+        if (options_.method == ImageMethod::off)
+            return;
+        constexpr int finer = 2;
+        Camera fine = camera;
+        fine.size = finer * camera.size;
+        const LineFields fields = line_fields(trace_gbuffer(scene, fine), fine, scene, scene.scale);
+        const Image lines = finder_ ? finder_->find(fields, options_) : find_image_lines(fields, options_);
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                float cover = 0;
+                for (int k = 0; k < finer * finer; ++k)
+                    cover += *lines.at(finer * x + k % finer, finer * y + k / finer) / (finer * finer);
+                for (int c = 0; c < 3; ++c)
+                    picture.at(x, y)[c] = glm::mix(picture.at(x, y)[c], colour[c], cover);
+            }
+    }
+
+private:
+    ImageLineOptions options_;
+    std::optional<gpu::Context> context_;
+    std::optional<gpu::ImageLineFinder> finder_;
+};
+
 void check_passes(const RenderCommand& command, const std::vector<Pass>& passes)
 {
     if (passes.empty())
@@ -90,8 +133,14 @@ void run(RenderCommand& command)
     const std::vector<Pass> passes = passes_from_text(command.passes);
     check_passes(command, passes);
     pictures.need = pass_need(passes);
+    if (pictures.common.device == "gpu" && command.image_lines.method == ImageMethod::off)
+        throw Error::Device("--device gpu: only --image-lines are computed on the GPU so far; shading and --lines use the processor");
     PictureHooks hooks;
-    hooks.underlay = [&](Drawing& drawing, const SeenScene& scene) { drawing.background = shade(scene, drawing.camera, shade_options(command.render)); };
+    const PixelLines pixel_lines(command.image_lines, pictures.common.device);
+    hooks.underlay = [&](Drawing& drawing, const SeenScene& scene) {
+        drawing.background = shade(scene, drawing.camera, shade_options(command.render));
+        pixel_lines.draw_on(drawing.background, scene, drawing.camera, pictures.style.line(LineType::contour).colour);
+    };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
         write_image(picture, output, command.render.bits);
@@ -109,11 +158,13 @@ Subcommand add_render(CLI::App& limn)
 {
     auto command = std::make_shared<RenderCommand>();
     command->pictures.name = "render";
+    command->pictures.uses_gpu = true;
     command->pictures.formats = {"png", "exr"};
     command->pictures.lines.lines.clear();
     CLI::App* app = limn.add_subcommand("render", "Render shaded pictures of models, with or without lines, and their ingredient images");
     app->footer(examples);
     add_table_options(*app, render_option_table(), command->render, "Shading");
+    add_table_options(*app, image_line_option_table(), command->image_lines, "Lines per pixel");
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id (or all) to FILE-PASS, and their scales to FILE-passes.json")
         ->type_name("PASS,...")
         ->group("Shading");

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -128,6 +129,41 @@ TEST_F(Render, RefusesWhatContradictsItself)
     refused("-o " + path("a.png") + " --light 0,0,0", "direction");
     refused("-o " + path("a.png") + " --turntable 3 --cameras x.json", "--cameras");
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
+}
+
+TEST_F(Render, FindsLinesPerPixelOnBothDevicesAlike)
+{
+    render("-o " + path("bare.png"));
+    const Image bare = picture("bare.png");
+    for (const std::string method : {"threshold", "depth-raw", "depth", "valley-printed", "valley"}) {
+        render("-o " + path("cpu.png") + " --image-lines " + method);
+        const Image cpu = picture("cpu.png");
+        std::size_t darker = 0;
+        for (std::size_t i = 0; i < cpu.samples.size(); ++i)
+            darker += cpu.samples[i] < bare.samples[i] - 0.1f;
+        EXPECT_GT(darker, 200u) << method;
+        const ProgramResult gpu = limn("render " + torus() + " --size 160x120 --device gpu -o " + path("gpu.png") + " --image-lines " + method);
+        if (gpu.exit_code == 1 && gpu.errors.find("no GPU driver") != std::string::npos)
+            continue;
+        ASSERT_EQ(gpu.exit_code, 0) << gpu.errors;
+        const Image other = picture("gpu.png");
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < cpu.samples.size(); ++i)
+            differ += std::abs(cpu.samples[i] - other.samples[i]) > 2.0f / 255;
+        EXPECT_LE(differ, cpu.samples.size() / 1000) << method;
+    }
+    const ProgramResult nothing = limn("render " + torus() + " --device gpu -o " + path("g.png"));
+    EXPECT_EQ(nothing.exit_code, 1);
+    EXPECT_NE(nothing.errors.find("--image-lines"), std::string::npos) << nothing.errors;
+}
+
+TEST_F(Render, SaysThatThereIsNoDriver)
+{
+    const ProgramResult result = run_shell("__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent '" LIMN_COMMAND "' render '" + torus() + "' --device gpu --image-lines depth -o " + path("x.png"));
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(line_count(result.errors), 1) << result.errors;
+    EXPECT_NE(result.errors.find("OpenGL 4.5"), std::string::npos) << result.errors;
+    EXPECT_FALSE(std::filesystem::exists(path("x.png")));
 }
 
 TEST_F(Render, PutsSeveralViewsOnOneSheet)

@@ -160,6 +160,7 @@ TEST(ImageLines, ASteepPlaneIsNoDepthEdge)
             fields.window_depth[std::size_t(60 * y + x)] = 1 - 0.015f * float(x);
         }
     ImageLineOptions compensated, raw;
+    compensated.method = ImageMethod::depth;
     raw.method = ImageMethod::depth_raw;
     const Image none_found = find_image_lines(fields, compensated), all_found = find_image_lines(fields, raw);
     for (int y = 2; y < 58; ++y)
@@ -179,7 +180,7 @@ TEST(ImageLines, FoldsAndBordersOfObjectsAreOnePixelWide)
             fields.normals[i] = x < 20 ? vec4(0, 0, 1, 0) : vec4(1, 0, 0, 0);
             fields.ids[i] = y < 20 ? 1 : 2;
         }
-    const Image lines = find_image_lines(fields, {});
+    const Image lines = find_image_lines(fields, {.method = ImageMethod::depth});
     for (int k = 2; k < 18; ++k) {
         EXPECT_EQ(*lines.at(18, k) + *lines.at(19, k) + *lines.at(20, k) + *lines.at(21, k), 1.0f) << "fold, row " << k;
         EXPECT_EQ(*lines.at(k, 18) + *lines.at(k, 19) + *lines.at(k, 20) + *lines.at(k, 21), 1.0f) << "border, column " << k;
@@ -211,6 +212,12 @@ TEST(ImageLines, ValleysAreFoundAtTheirCentreLine)
                 }
             }
         }
+}
+
+TEST(ImageLines, NoneIsNone)
+{
+    const Image lines = find_image_lines(intensity_only({4, 4}, [](int, int) { return 0.0f; }), {});
+    EXPECT_EQ(lines.samples, std::vector<float>(16, 0));
 }
 
 TEST(ImageLines, RefusesOptionsOutOfRange)

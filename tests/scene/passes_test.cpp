@@ -78,12 +78,15 @@ TEST(Passes, OfATorusFollowTheExactCurvature)
     };
     EXPECT_GT(torus.each(torus.pass(Pass::kr), [&](const dvec3& p, const float* v) {
         const SurfacePoint x = truth.project(p);
-        EXPECT_NEAR(v[0], formulas::radial_curvature(terms(x), float(x.k1), float(x.k2)), 0.02);
+        const formulas::RadialTerms t = terms(x);
+        if (t.w2 > 0.2f * t.vv) { // not seen head-on, where no direction is radial
+            EXPECT_NEAR(v[0], formulas::radial_curvature(t, float(x.k1), float(x.k2)), 0.02);
+        }
     }), 1000);
     torus.each(torus.pass(Pass::dwkr), [&](const dvec3& p, const float* v) {
         const SurfacePoint x = truth.project(p);
         const formulas::RadialTerms t = terms(x);
-        if (t.w2 > 0.05f * t.vv && t.nv * t.nv > 0.01f * t.vv) { // seen neither head-on nor edge-on
+        if (t.w2 > 0.2f * t.vv && t.nv * t.nv > 0.01f * t.vv) { // seen neither head-on nor edge-on
             EXPECT_NEAR(v[0], formulas::radial_curvature_derivative(t, float(x.k1), float(x.k2), vec4(x.derivative)), 0.15);
         }
     });

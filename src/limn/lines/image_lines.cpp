@@ -45,6 +45,7 @@ bool is_line(formulas::PictureFields fields, const ivec2& p, const ImageLineOpti
     case ImageMethod::depth: return fields.is_depth_edge(p, o.step, least_cosine, fields.fields->orthographic ? 0.0f : 1.0f);
     case ImageMethod::valley_printed: return fields.is_valley_as_printed(p, o.radius);
     case ImageMethod::valley: return fields.is_valley(p, o.radius, o.darker, o.contrast);
+    case ImageMethod::off: return false;
     }
     return false;
 }
@@ -106,10 +107,10 @@ Image find_image_lines(const LineFields& fields, const ImageLineOptions& options
 const OptionTable<ImageLineOptions>& image_line_option_table()
 {
     static const OptionTable<ImageLineOptions> table = {
-        choice_row<O, ImageMethod>("image-method",
-                                   {{"threshold", ImageMethod::threshold}, {"depth-raw", ImageMethod::depth_raw}, {"depth", ImageMethod::depth},
+        choice_row<O, ImageMethod>("image-lines",
+                                   {{"none", ImageMethod::off}, {"threshold", ImageMethod::threshold}, {"depth-raw", ImageMethod::depth_raw}, {"depth", ImageMethod::depth},
                                     {"valley-printed", ImageMethod::valley_printed}, {"valley", ImageMethod::valley}},
-                                   "how lines are found per pixel", &O::method),
+                                   "lines found per pixel, under those of --lines", &O::method),
         number_row("dark-limit", "", 0, 1, "threshold: intensity below which a pixel is a line", &O::dark),
         number_row("sobel-limit", "", 0, 1e9, "depth-raw: response above which a pixel is a line", &O::sobel),
         number_row("step-limit", "", 0, 1e9, "depth: step as a part of the depth", &O::step),

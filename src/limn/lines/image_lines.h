@@ -16,10 +16,11 @@ enum class ImageMethod : std::uint8_t {
     depth,          ///< M9: steps of depth with the slope taken off, folds of the normal, borders of objects
     valley_printed, ///< M10: radial filter as the thesis prints it
     valley,         ///< M10: radial filter over a disc
+    off,            ///< no lines
 };
 
 struct ImageLineOptions {
-    ImageMethod method = ImageMethod::depth;
+    ImageMethod method = ImageMethod::off;
     float dark = 0.3f;          ///< threshold: intensity below which a pixel is a line, 0..1
     float sobel = 0.1f;         ///< depth_raw: response above which it is one
     float step = 0.01f;         ///< depth: step, as a part of the depth (of the scene's radius in orthographic views)

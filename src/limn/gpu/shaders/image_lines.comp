@@ -44,7 +44,7 @@ void main()
         line = is_depth_edge(at, limit, least_cosine, relative);
     else if (method == 3)
         line = is_valley_as_printed(at, radius);
-    else
+    else if (method == 4)
         line = is_valley(at, radius, darker, limit);
     lines[index(at)] = line ? 1u : 0u;
 }
