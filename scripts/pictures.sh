@@ -30,8 +30,8 @@ render() { # render NAME MODEL OPTIONS...
 }
 
 render render-smooth knot
-render render-toon knot --shading toon --toon-levels 3 --light 1,3,2 --lines illustration
-render render-flat cylinder --shading flat --lines technical --light=-1,3,2
+render render-toon knot --shading toon --toon-levels 3 --light 2,-3,4 --lines illustration
+render render-flat cylinder --shading flat --lines technical --light 2,-3,5
 render render-dark blob --style dark --surface-colour '#555555' --lines contour,suggestive,highlight
 for method in threshold depth-raw depth valley valley-printed; do
     build/limn render "$models/blob.ply" --up-axis z --quiet --size 240x200 -o "$models/$method.png" --image-lines "$method" --unlit 1 --surface-colour '#ffffff'

@@ -398,7 +398,7 @@ ChainElements find_visibility(const ViewContext& c, VisibilityRule rule, std::sp
             // The surface in front of such a point hides it, unless the shell has a hole through which its inside is seen.
             if (from_within && !c.model.is_open(s.face))
                 return false;
-            exit = exit_distance(c.model, s, std::abs(kr));
+            exit = exit_distance(c.model, s, from_within ? -kr : kr);
         }
         const vec3 p = glm::mix(s.a, s.b, t);
         return lies_on_edge(rule, s) ? is_edge_point_visible(c, s, p, e.step) : is_surface_point_visible(c, rule, s, p, e.step, exit, from_within);
