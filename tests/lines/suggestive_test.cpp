@@ -184,7 +184,7 @@ std::vector<dvec3> whole_zero_segment(const LineModel& model, const View& view, 
 /// How far two segments on one line run over each other; negative: the gap between them.
 double overlap(const Segment& x, const Segment& y, const dvec3& along)
 {
-    const auto range = [&](const Segment& s) { return std::minmax(glm::dot(dvec3(s.a), along), glm::dot(dvec3(s.b), along)); };
+    const auto range = [&](const Segment& s) { return std::minmax({glm::dot(dvec3(s.a), along), glm::dot(dvec3(s.b), along)}); };
     const auto [x0, x1] = range(x);
     const auto [y0, y1] = range(y);
     return std::min(x1, y1) - std::max(x0, y0);
