@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 
 #include <epoxy/gl.h>
@@ -13,6 +14,7 @@
 #include "limn/formulas/formulas.h"
 #include "limn/gpu/program.h"
 #include "limn/gpu/resources.h"
+#include "support/support.h"
 
 namespace limn::test {
 namespace {
@@ -57,6 +59,7 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
     const std::string text = fmt::format(R"(#include "limn/formulas/radial_curvature.glsl"
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/shading.glsl"
+#include "limn/formulas/sobel.glsl"
 layout(local_size_x = 64) in;
 struct Point {{ vec4 v; vec4 n; vec4 e1; vec4 e2; vec4 derivative; vec4 k; }};
 layout(std430, binding = 0) readonly buffer Points {{ Point points[]; }};
@@ -169,6 +172,13 @@ Values toon(const Point& p, const RadialTerms&)
     return {{{toon_tone(lit, 0.3f, 2.0f), 1}, {toon_tone(lit, 0.31f, 5.0f), 1}}};
 }
 
+Values neighbourhood(const Point& p, const RadialTerms&)
+{
+    const float z[9] = {p.v.x, p.v.y, p.v.z, p.n.x, p.n.y, p.n.z, p.e1.x, p.e1.y, p.e1.z};
+    const vec2 g = sobel(z);
+    return {{{g.x, 40}, {g.y, 40}, {sobel_strength(z), 40}, {stands_out(z), 10}}};
+}
+
 const Formula formulas_of_the_library[] = {
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
@@ -190,6 +200,10 @@ const Formula formulas_of_the_library[] = {
      apparent},
     {"seen_normal, diffuse",
      "vec3 seen = seen_normal(n, normalize(v)); r[0] = seen.x; r[1] = seen.y; r[2] = seen.z; r[3] = diffuse(seen, p.e1.xyz);", shading},
+    {"sobel, stands_out",
+     "float z[9] = float[9](v.x, v.y, v.z, n.x, n.y, n.z, p.e1.x, p.e1.y, p.e1.z); vec2 g = sobel(z); r[0] = g.x; r[1] = g.y;"
+     "r[2] = sobel_strength(z); r[3] = stands_out(z);",
+     neighbourhood},
     {"toon_tone", "float lit = (floor(p.k.z * 20.0f) + 0.5f) / 20.0f; r[0] = toon_tone(lit, 0.3f, 2.0f); r[1] = toon_tone(lit, 0.31f, 5.0f);", toon},
 };
 
@@ -216,6 +230,25 @@ TEST_F(GpuFormulas, GiveTheSameOnBothSides)
         EXPECT_EQ(wrong, 0u) << formula.name;
         fmt::print("[ formula  ] {}: largest difference {:.1e} of the largest term\n", formula.name, worst);
     }
+}
+
+// A formula that nobody compares may drift apart. (Those of pictures are compared whole, in image_lines_test.cpp.)
+TEST_F(GpuFormulas, AreAllCompared)
+{
+    std::string bodies = "radial_terms("; // every body starts from them
+    for (const Formula& formula : formulas_of_the_library)
+        bodies += formula.body;
+    int found = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(LIMN_FORMULAS)) {
+        const std::string text = read_text(entry.path());
+        if (entry.path().extension() != ".glsl" || text.find("#pragma once") == std::string::npos)
+            continue;
+        for (std::size_t at = text.find("\nFORMULA "); at != std::string::npos; at = text.find("\nFORMULA ", at + 1), ++found) {
+            const std::size_t name = text.find(' ', at + 9) + 1, end = text.find('(', name);
+            EXPECT_NE(bodies.find(text.substr(name, end + 1 - name)), std::string::npos) << entry.path() << ": " << text.substr(name, end - name);
+        }
+    }
+    EXPECT_GE(found, 16);
 }
 
 } // namespace
