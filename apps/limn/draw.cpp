@@ -32,7 +32,7 @@ void run(DrawCommand& command)
     if (!command.lines_given && (pictures.style.look == Look::dark || pictures.style.look == Look::toon))
         pictures.lines.lines.push_back(LineType::highlight);
     PictureHooks hooks;
-    hooks.underlay = [&](Drawing& drawing, const SeenScene& scene) { add_areas(drawing, scene, command.areas, pictures.style); };
+    hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { add_areas(drawing, model.scene, command.areas, pictures.style); };
     hooks.write = [&](const Drawing& drawing, const SeenModel&, const Output& output) -> std::vector<std::string> {
         write_drawing(drawing, pictures.style, output.path, output.format);
         return {output.path};

@@ -59,7 +59,7 @@ Drawing draw_view(const Stage& stage, Progress& progress)
         view.clusters = {progress.history.survivors, progress.history.since_bounded == 0};
     number_faces_as_in_files(drawing, stage.models.inputs);
     Stopwatch watch;
-    stage.hooks.underlay(drawing, stage.seen);
+    stage.hooks.underlay(drawing, {stage.models.lines, stage.seen});
     progress.times.shade += watch.lap();
     return drawing;
 }

@@ -35,7 +35,7 @@ struct SeenModel {
 /// Where the two differ.
 struct PictureHooks {
     /// Puts what lies under the lines of one view into its drawing.
-    std::function<void(limn::Drawing&, const limn::SeenScene&)> underlay;
+    std::function<void(limn::Drawing&, const SeenModel&)> underlay;
     /// Writes a picture to one of the files asked for, and returns the names of all that it wrote.
     std::function<std::vector<std::string>(const limn::Drawing&, const SeenModel&, const Output&)> write;
 };

@@ -13,7 +13,10 @@
 #include "limn/drawing/raster.h"
 #include "limn/gpu/context.h"
 #include "limn/gpu/image_lines.h"
+#include "limn/gpu/surface_view.h"
+#include "limn/lines/feature_size.h"
 #include "limn/lines/image_lines.h"
+#include "limn/lines/shader_lines.h"
 #include "limn/scene/passes.h"
 #include "limn/scene/render_options.h"
 #include "pictures.h"
@@ -35,6 +38,7 @@ struct RenderCommand {
     PictureCommand pictures;
     RenderOptions render;
     ImageLineOptions image_lines;
+    bool shader_lines = false;
     std::string passes;
 };
 
@@ -76,42 +80,60 @@ std::vector<std::string> write_passes(const std::vector<Pass>& passes, const Cam
     return written;
 }
 
-/// Finds lines per pixel, on the device where one was opened.
+/// Lines decided per pixel, by either kind of method, on the device where one was asked for.
 class PixelLines {
 public:
-    /// @throws Error::Device where `device` is gpu and there is none.
-    PixelLines(const ImageLineOptions& options, const std::string& device) : options_(options)
+    /// @throws Error::Device where the command asks for a GPU and there is none.
+    explicit PixelLines(const RenderCommand& command) : command_(command)
     {
-        if (device == "gpu") {
+        if (command.pictures.common.device == "gpu")
             context_.emplace();
-            finder_.emplace();
-        }
     }
 
-    /// Darkens the picture along the lines. They are found at twice the size and averaged, so that they are not jagged.
-    void draw_on(Image& picture, const SeenScene& scene, const Camera& camera, const vec3& colour) const
+    /// Lays them over the picture. They are found at twice the size and averaged, so that they are not jagged.
+    void draw_on(Image& picture, const SeenModel& model, const Camera& camera, const vec3& colour) const
     {
-        if (options_.method == ImageMethod::off)
-            return;
         constexpr int finer = 2;
         Camera fine = camera;
         fine.size = finer * camera.size;
-        const LineFields fields = line_fields(trace_gbuffer(scene, fine), fine, scene, scene.scale);
-        const Image lines = finder_ ? finder_->find(fields, options_) : find_image_lines(fields, options_);
+        if (command_.image_lines.method != ImageMethod::off)
+            lay_over(picture, by_filter(model, fine), finer, colour);
+        if (command_.shader_lines)
+            lay_over(picture, by_shader(model, fine, finer), finer, colour);
+    }
+
+private:
+    Image by_filter(const SeenModel& model, const Camera& camera) const
+    {
+        const LineFields fields = line_fields(trace_gbuffer(model.scene, camera), camera, model.scene, model.scene.scale);
+        return context_ ? gpu::ImageLineFinder().find(fields, command_.image_lines) : find_image_lines(fields, command_.image_lines);
+    }
+
+    Image by_shader(const SeenModel& model, const Camera& camera, int finer) const
+    {
+        ShaderLineOptions options;
+        options.contour_width *= float(finer);
+        options.suggestive_width *= float(finer);
+        options.suggestive_limit = float(command_.pictures.lines.suggestive_limit);
+        options.feature_size = model_feature_size(model.lines, command_.pictures.lines.feature_size);
+        return context_ ? gpu::SurfaceRenderer(model.lines).render(camera, options).ink()
+                        : find_shader_lines(model.lines, trace_gbuffer(model.scene, camera), camera, options);
+    }
+
+    static void lay_over(Image& picture, const Image& lines, int finer, const vec3& colour)
+    {
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
                 float cover = 0;
                 for (int k = 0; k < finer * finer; ++k)
-                    cover += *lines.at(finer * x + k % finer, finer * y + k / finer) / (finer * finer);
+                    cover += *lines.at(finer * x + k % finer, finer * y + k / finer) / float(finer * finer);
                 for (int c = 0; c < 3; ++c)
                     picture.at(x, y)[c] = glm::mix(picture.at(x, y)[c], colour[c], cover);
             }
     }
 
-private:
-    ImageLineOptions options_;
+    const RenderCommand& command_;
     std::optional<gpu::Context> context_;
-    std::optional<gpu::ImageLineFinder> finder_;
 };
 
 void check_passes(const RenderCommand& command, const std::vector<Pass>& passes)
@@ -133,13 +155,15 @@ void run(RenderCommand& command)
     const std::vector<Pass> passes = passes_from_text(command.passes);
     check_passes(command, passes);
     pictures.need = pass_need(passes);
-    if (pictures.common.device == "gpu" && command.image_lines.method == ImageMethod::off)
-        throw Error::Device("--device gpu: only --image-lines are computed on the GPU so far; shading and --lines use the processor");
+    if (command.shader_lines)
+        pictures.need = Need::derivative;
+    if (pictures.common.device == "gpu" && command.image_lines.method == ImageMethod::off && !command.shader_lines)
+        throw Error::Device("--device gpu: only --image-lines and --shader-lines are computed on the GPU so far; shading and --lines use the processor");
     PictureHooks hooks;
-    const PixelLines pixel_lines(command.image_lines, pictures.common.device);
-    hooks.underlay = [&](Drawing& drawing, const SeenScene& scene) {
-        drawing.background = shade(scene, drawing.camera, shade_options(command.render));
-        pixel_lines.draw_on(drawing.background, scene, drawing.camera, pictures.style.line(LineType::contour).colour);
+    const PixelLines pixel_lines(command);
+    hooks.underlay = [&](Drawing& drawing, const SeenModel& model) {
+        drawing.background = shade(model.scene, drawing.camera, shade_options(command.render));
+        pixel_lines.draw_on(drawing.background, model, drawing.camera, pictures.style.line(LineType::contour).colour);
     };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
@@ -165,6 +189,8 @@ Subcommand add_render(CLI::App& limn)
     app->footer(examples);
     add_table_options(*app, render_option_table(), command->render, "Shading");
     add_table_options(*app, image_line_option_table(), command->image_lines, "Lines per pixel");
+    app->add_flag("--shader-lines", command->shader_lines, "contours and suggestive contours decided pixel by pixel from the surface, 2 px wide")
+        ->group("Lines per pixel");
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id (or all) to FILE-PASS, and their scales to FILE-passes.json")
         ->type_name("PASS,...")
         ->group("Shading");

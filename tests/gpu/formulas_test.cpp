@@ -59,6 +59,7 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
     const std::string text = fmt::format(R"(#include "limn/formulas/radial_curvature.glsl"
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/shading.glsl"
+#include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/sobel.glsl"
 layout(local_size_x = 64) in;
 struct Point {{ vec4 v; vec4 n; vec4 e1; vec4 e2; vec4 derivative; vec4 k; }};
@@ -179,6 +180,15 @@ Values neighbourhood(const Point& p, const RadialTerms&)
     return {{{g.x, 40}, {g.y, 40}, {sobel_strength(z), 40}, {stands_out(z), 10}}};
 }
 
+Values inks(const Point& p, const RadialTerms&)
+{
+    const float nv = p.k.w, per_unit = 100, contour = contour_distance(nv, p.k.x, per_unit);
+    const float suggestive = suggestive_distance(p.k.z, p.k.x, p.derivative.x, per_unit);
+    // Covers take distances to the pixel, whose rounding is that of the distance.
+    return {{{contour, contour}, {suggestive, suggestive}, {line_cover(p.k.z * 4, 2.0f), 4},
+             {shader_ink(nv, p.k.x, p.derivative.x, per_unit, 2.0f, 2.0f, -1.0f), 4}}};
+}
+
 const Formula formulas_of_the_library[] = {
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
@@ -200,6 +210,10 @@ const Formula formulas_of_the_library[] = {
      apparent},
     {"seen_normal, diffuse",
      "vec3 seen = seen_normal(n, normalize(v)); r[0] = seen.x; r[1] = seen.y; r[2] = seen.z; r[3] = diffuse(seen, p.e1.xyz);", shading},
+    {"shader lines",
+     "float nv = p.k.w; r[0] = contour_distance(nv, p.k.x, 100.0f); r[1] = suggestive_distance(p.k.z, p.k.x, p.derivative.x, 100.0f);"
+     "r[2] = line_cover(p.k.z * 4.0f, 2.0f); r[3] = shader_ink(nv, p.k.x, p.derivative.x, 100.0f, 2.0f, 2.0f, -1.0f);",
+     inks},
     {"sobel, stands_out",
      "float z[9] = float[9](v.x, v.y, v.z, n.x, n.y, n.z, p.e1.x, p.e1.y, p.e1.z); vec2 g = sobel(z); r[0] = g.x; r[1] = g.y;"
      "r[2] = sobel_strength(z); r[3] = stands_out(z);",

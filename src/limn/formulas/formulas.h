@@ -14,6 +14,7 @@ namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/radial_curvature.glsl"
+#include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/shading.glsl"
 #include "limn/formulas/sobel.glsl"
 } // namespace limn::formulas

@@ -1,0 +1,120 @@
+#include "limn/gpu/surface_view.h"
+
+#include <algorithm>
+
+#include <epoxy/gl.h>
+
+#include "limn/base/error.h"
+#include "limn/gpu/context.h"
+#include "limn/lines/projector.h"
+
+namespace limn::gpu {
+namespace {
+
+/// As in surface.vert.
+struct Vertex {
+    vec4 position, normal_k1, e1_k2, derivative;
+};
+
+std::vector<Vertex> vertices_of(const LineModel& m)
+{
+    if (m.normals.empty() || !m.has_derivative())
+        throw Error::Input("lines of the fragment shader need curvature and its derivative, which this surface has not");
+    std::vector<Vertex> vertices(m.vertex_count());
+    for (std::size_t object = 0; object + 1 < m.first_vertex.size(); ++object)
+        for (std::uint32_t i = m.first_vertex[object]; i < m.first_vertex[object + 1]; ++i)
+            vertices[i] = {vec4(m.positions[i], float(object + 1)), vec4(m.normals[i], m.k1[i]), vec4(m.e1[i], m.k2[i]), m.derivative[i]};
+    return vertices;
+}
+
+/// Depths between which the model lies, in its frame.
+dvec2 depth_range(const Projector& projector)
+{
+    constexpr double radius = 1.01; // of the sphere around the model, a little more
+    const double middle = -glm::dot(projector.eye, projector.forward);
+    const double far = middle + radius, near = middle - radius;
+    return {projector.orthographic ? near : std::max(near, 1e-3 * std::max(far, 1e-3)), std::max(far, 2e-3)};
+}
+
+/// From the model's frame to OpenGL's clip space; w is the depth (1 in orthographic views).
+glm::mat4 clip_matrix(const Projector& p, ivec2 size)
+{
+    const dvec2 range = depth_range(p), scale = 2 * p.scale / dvec2(size);
+    glm::dmat4 to_eye(1);
+    for (int k = 0; k < 3; ++k) {
+        to_eye[k] = {p.right[k], p.above[k], p.forward[k], 0};
+        to_eye[3][k] = 0;
+    }
+    to_eye[3] = {-glm::dot(p.eye, p.right), -glm::dot(p.eye, p.above), -glm::dot(p.eye, p.forward), 1};
+    glm::dmat4 to_clip(0);
+    to_clip[0][0] = scale.x;
+    to_clip[1][1] = scale.y;
+    if (p.orthographic) {
+        to_clip[2][2] = 2 / (range.y - range.x);
+        to_clip[3][2] = -(range.y + range.x) / (range.y - range.x);
+        to_clip[3][3] = 1;
+    } else {
+        to_clip[2][2] = (range.y + range.x) / (range.y - range.x);
+        to_clip[3][2] = -2 * range.x * range.y / (range.y - range.x);
+        to_clip[2][3] = 1;
+    }
+    return glm::mat4(to_clip * to_eye);
+}
+
+/// OpenGL's rows run from the bottom.
+template <class T> std::vector<T> from_top(std::vector<T> pixels, ivec2 size)
+{
+    for (int y = 0; y < size.y / 2; ++y)
+        std::swap_ranges(pixels.begin() + std::ptrdiff_t(y) * size.x, pixels.begin() + std::ptrdiff_t(y + 1) * size.x,
+                         pixels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
+    return pixels;
+}
+
+} // namespace
+
+Image SurfaceView::ink() const
+{
+    Image image(size, 1);
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        image.samples[i] = quantities[i].w;
+    return image;
+}
+
+SurfaceRenderer::SurfaceRenderer(const LineModel& model)
+    : model_(model), program_(load_program({"surface.vert", "surface.frag"})), vertices_(vertices_of(model)), faces_(model.faces), array_(make_vertex_array())
+{
+    glVertexArrayElementBuffer(array_.id(), faces_.id());
+}
+
+SurfaceView SurfaceRenderer::render(const Camera& camera, const ShaderLineOptions& options) const
+{
+    const Projector projector(model_, camera);
+    const View view = model_.view(camera);
+    program_.set("to_clip", clip_matrix(projector, camera.size));
+    program_.set("eye", view.eye);
+    program_.set("orthographic", int(view.orthographic));
+    program_.set("pixels_per_unit", float(projector.scale));
+    program_.set("contour_width", options.contour_width);
+    program_.set("suggestive_width", options.suggestive_width);
+    program_.set("least_strength", options.least_strength());
+    program_.set("naive", int(options.naive));
+    const Framebuffer picture(camera.size, {Format::rgba32f, Format::rgba32f, Format::r32ui});
+    picture.clear(0, vec4(0));
+    picture.clear(1, vec4(0));
+    picture.clear(2, 0u);
+    picture.clear_depth();
+    picture.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    vertices_.bind_storage(0);
+    program_.use();
+    glBindVertexArray(array_.id());
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * model_.faces.size()), GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(0);
+    SurfaceView result = {camera.size, from_top(picture.read_floats(0), camera.size), from_top(picture.read_floats(1), camera.size),
+                          from_top(picture.read_unsigned(2), camera.size)};
+    check_errors("drawing a surface");
+    return result;
+}
+
+} // namespace limn::gpu
