@@ -13,7 +13,7 @@ namespace {
 
 constexpr int success = 0, failure = 1, usage = 2;
 
-constexpr const char* introduction = "Limn draws the shape of 3D things: line drawings of meshes, with hidden lines removed.\n"
+constexpr const char* introduction = "Limn draws the shape of 3D things: line drawings of meshes, with hidden lines removed, and shaded pictures.\n"
                                      "'limn COMMAND --help' explains a command, with examples.";
 
 int complain(const std::string& who, const std::string& what, int code)

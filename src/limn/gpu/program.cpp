@@ -1,5 +1,6 @@
 #include "limn/gpu/program.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -58,7 +59,7 @@ std::string_view included_path(std::string_view line)
     return rest.substr(0, rest.find('"'));
 }
 
-/// Appends `text` with its includes in place. File numbers in #line are those of `files`.
+/// Appends `text` with its includes in place; #line keeps the line numbers of the file that a message is about.
 void append_expanded(std::string& out, const std::string& name, std::string_view text, std::set<std::string, std::less<>>& seen)
 {
     std::size_t line_number = 0;
@@ -80,21 +81,13 @@ void append_expanded(std::string& out, const std::string& name, std::string_view
     }
 }
 
-std::string shader_log(unsigned shader)
+/// The first line of what a compiler or linker said.
+template <class Length, class Text> std::string first_line(unsigned id, const Length& read_length, const Text& read_text)
 {
     GLint length = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    read_length(id, GL_INFO_LOG_LENGTH, &length);
     std::string log(std::size_t(std::max(length, 1)), '\0');
-    glGetShaderInfoLog(shader, length, nullptr, log.data());
-    return log.substr(0, log.find('\n'));
-}
-
-std::string program_log(unsigned program)
-{
-    GLint length = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    std::string log(std::size_t(std::max(length, 1)), '\0');
-    glGetProgramInfoLog(program, length, nullptr, log.data());
+    read_text(id, length, nullptr, log.data());
     return log.substr(0, log.find('\n'));
 }
 
@@ -110,7 +103,7 @@ public:
         GLint compiled = 0;
         glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
         if (!compiled) {
-            const std::string log = shader_log(id_);
+            const std::string log = first_line(id_, glGetShaderiv, glGetShaderInfoLog);
             glDeleteShader(id_);
             throw Error::Device(fmt::format("shader '{}' does not compile: {}", source.name, log));
         }
@@ -150,7 +143,7 @@ Program::Program(const std::vector<ShaderText>& sources)
     GLint linked = 0;
     glGetProgramiv(id_, GL_LINK_STATUS, &linked);
     if (!linked) {
-        const std::string log = program_log(id_);
+        const std::string log = first_line(id_, glGetProgramiv, glGetProgramInfoLog);
         glDeleteProgram(id_);
         throw Error::Device(fmt::format("shaders {} do not link: {}", names, log));
     }
