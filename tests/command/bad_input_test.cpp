@@ -170,6 +170,11 @@ TEST_F(Unclean, ZeroAreaFace) { expect_warned(tetrahedron_ + "v 5 0 0\nv 6 0 0\n
 
 TEST_F(Unclean, DuplicateFace) { expect_warned(tetrahedron_ + "f 2 3 4\n", "duplicate"); }
 
+TEST_F(Unclean, FacesAtPointsThatAreNoNumbersAreLeftOut)
+{
+    expect_warned(tetrahedron_ + "v nan 0 0\nf 1 2 5\nf 2 3 5\n", "2 faces with NaN");
+}
+
 TEST_F(Unclean, CameraInside)
 {
     expect_warned(obj_text(make_shape({.name = "sphere", .triangles = 2000}).mesh), "inside", "--eye 0,0.1,0 --look 0,0.2,1");
