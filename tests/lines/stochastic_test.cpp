@@ -197,7 +197,7 @@ double recall(const Scene& scene, double degrees_per_frame, double discovery, do
 }
 
 // Checklist 20: trends of table 4.5. A turn of half a degree per frame is the source's slow rotation.
-TEST(Stochastic, SeedsWinWhenTheCameraIsSlowAndRandomFacesWhenItIsFast)
+TEST(Stochastic, SeedsWinUnderACalmCameraAndRandomFacesUnderAFastOne)
 {
     for (const char* name : {"knot", "rings"}) {
         const Scene scene(name, 20000);
