@@ -27,6 +27,7 @@ struct Stage {
     const RayScene& rays;
     LineFeatures features;
     SeenScene seen;
+    SeenModel model() const { return {models.lines, seen, up_axis_of(command.view, models.inputs.front().format) == 'z' ? dvec3(0, 0, 1) : dvec3(0, 1, 0)}; }
 };
 
 /// What is kept from view to view.
@@ -59,7 +60,7 @@ Drawing draw_view(const Stage& stage, Progress& progress)
         view.clusters = {progress.history.survivors, progress.history.since_bounded == 0};
     number_faces_as_in_files(drawing, stage.models.inputs);
     Stopwatch watch;
-    stage.hooks.underlay(drawing, {stage.models.lines, stage.seen});
+    stage.hooks.underlay(drawing, stage.model());
     progress.times.shade += watch.lap();
     return drawing;
 }
@@ -182,7 +183,7 @@ std::vector<std::string> draw_all(const Stage& stage, const std::vector<Sheet>& 
             if (sheets_are_numbered(command))
                 file.path = numbered(file.path, int(i));
             Stopwatch watch;
-            for (std::string& name : stage.hooks.write(drawing, {stage.models.lines, stage.seen}, file))
+            for (std::string& name : stage.hooks.write(drawing, stage.model(), file))
                 written.push_back(std::move(name));
             progress.times.write += watch.lap();
         }

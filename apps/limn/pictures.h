@@ -30,6 +30,7 @@ struct PictureCommand {
 struct SeenModel {
     const limn::LineModel& lines;
     const limn::SeenScene& scene;
+    limn::dvec3 up; ///< of the world
 };
 
 /// Where the two differ.

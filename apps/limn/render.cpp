@@ -162,7 +162,7 @@ void run(RenderCommand& command)
     PictureHooks hooks;
     const PixelLines pixel_lines(command);
     hooks.underlay = [&](Drawing& drawing, const SeenModel& model) {
-        drawing.background = shade(model.scene, drawing.camera, shade_options(command.render));
+        drawing.background = shade(model.scene, drawing.camera, shade_options(command.render, model.scene, model.up));
         pixel_lines.draw_on(drawing.background, model, drawing.camera, pictures.style.line(LineType::contour).colour);
     };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {

@@ -189,6 +189,12 @@ Values inks(const Point& p, const RadialTerms&)
              {shader_ink(nv, p.k.x, p.derivative.x, per_unit, 2.0f, 2.0f, -1.0f), 4}}};
 }
 
+Values pictures(const Point& p, const RadialTerms&)
+{
+    const vec3 n = vec3(p.n), v = glm::normalize(vec3(p.v)), step = vec3(p.k.z, p.k.w, 0.5f) / 48.0f;
+    return {{{surface_tone(n, v, vec3(p.e1), 0.3f, 0.0f), 1}, {is_step(vec3(p.e1), vec3(p.e1) + 1.5f * step) ? 1.0f : 0.0f, 0}, {ground_cover(5 * p.k.z), 1}}};
+}
+
 const Formula formulas_of_the_library[] = {
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
@@ -218,6 +224,10 @@ const Formula formulas_of_the_library[] = {
      "float z[9] = float[9](v.x, v.y, v.z, n.x, n.y, n.z, p.e1.x, p.e1.y, p.e1.z); vec2 g = sobel(z); r[0] = g.x; r[1] = g.y;"
      "r[2] = sobel_strength(z); r[3] = stands_out(z);",
      neighbourhood},
+    {"surface_tone, is_step, ground_cover",
+     "r[0] = surface_tone(n, normalize(v), p.e1.xyz, 0.3f, 0.0f); vec3 s = vec3(p.k.z, p.k.w, 0.5f) / 48.0f;"
+     "r[1] = is_step(p.e1.xyz, p.e1.xyz + 1.5f * s) ? 1.0f : 0.0f; r[2] = ground_cover(5.0f * p.k.z);",
+     pictures},
     {"toon_tone", "float lit = (floor(p.k.z * 20.0f) + 0.5f) / 20.0f; r[0] = toon_tone(lit, 0.3f, 2.0f); r[1] = toon_tone(lit, 0.31f, 5.0f);", toon},
 };
 

@@ -24,3 +24,25 @@ FORMULA float toon_tone(const float lit, const float limit, const float levels)
     float tone = floor((lit - limit) / (1.0f - limit) * brighter) + 1.0f;
     return min(tone, brighter) / brighter;
 }
+
+// Tone of a surface of which a side is seen: Lambert's law, in even steps where `levels` is not 0.
+FORMULA float surface_tone(const vec3 n, const vec3 to_eye, const vec3 to_light, const float limit, const float levels)
+{
+    float lit = min(1.0f, diffuse(seen_normal(n, to_eye), to_light));
+    return levels > 0.0f ? toon_tone(lit, limit, levels) : lit;
+}
+
+// A step between two colours that the eye sees: an edge that needs anti-aliasing.
+FORMULA bool is_step(const vec3 a, const vec3 b)
+{
+    vec3 d = abs(a - b);
+    return max(d.x, max(d.y, d.z)) > 1.0f / 48.0f;
+}
+
+// How much of the ground is there at a distance from its middle in radii of the objects: it is whole under them and fades far out, so that
+// it has no edge.
+FORMULA float ground_cover(const float radii)
+{
+    float t = clamp((4.0f - radii) / 2.5f, 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}

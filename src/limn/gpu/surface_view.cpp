@@ -1,12 +1,10 @@
 #include "limn/gpu/surface_view.h"
 
-#include <algorithm>
-
 #include <epoxy/gl.h>
 
 #include "limn/base/error.h"
+#include "limn/gpu/clip.h"
 #include "limn/gpu/context.h"
-#include "limn/lines/projector.h"
 
 namespace limn::gpu {
 namespace {
@@ -25,49 +23,6 @@ std::vector<Vertex> vertices_of(const LineModel& m)
         for (std::uint32_t i = m.first_vertex[object]; i < m.first_vertex[object + 1]; ++i)
             vertices[i] = {vec4(m.positions[i], float(object + 1)), vec4(m.normals[i], m.k1[i]), vec4(m.e1[i], m.k2[i]), m.derivative[i]};
     return vertices;
-}
-
-/// Depths between which the model lies, in its frame.
-dvec2 depth_range(const Projector& projector)
-{
-    constexpr double radius = 1.01; // of the sphere around the model, a little more
-    const double middle = -glm::dot(projector.eye, projector.forward);
-    const double far = middle + radius, near = middle - radius;
-    return {projector.orthographic ? near : std::max(near, 1e-3 * std::max(far, 1e-3)), std::max(far, 2e-3)};
-}
-
-/// From the model's frame to OpenGL's clip space; w is the depth (1 in orthographic views).
-glm::mat4 clip_matrix(const Projector& p, ivec2 size)
-{
-    const dvec2 range = depth_range(p), scale = 2 * p.scale / dvec2(size);
-    glm::dmat4 to_eye(1);
-    for (int k = 0; k < 3; ++k) {
-        to_eye[k] = {p.right[k], p.above[k], p.forward[k], 0};
-        to_eye[3][k] = 0;
-    }
-    to_eye[3] = {-glm::dot(p.eye, p.right), -glm::dot(p.eye, p.above), -glm::dot(p.eye, p.forward), 1};
-    glm::dmat4 to_clip(0);
-    to_clip[0][0] = scale.x;
-    to_clip[1][1] = scale.y;
-    if (p.orthographic) {
-        to_clip[2][2] = 2 / (range.y - range.x);
-        to_clip[3][2] = -(range.y + range.x) / (range.y - range.x);
-        to_clip[3][3] = 1;
-    } else {
-        to_clip[2][2] = (range.y + range.x) / (range.y - range.x);
-        to_clip[3][2] = -2 * range.x * range.y / (range.y - range.x);
-        to_clip[2][3] = 1;
-    }
-    return glm::mat4(to_clip * to_eye);
-}
-
-/// OpenGL's rows run from the bottom.
-template <class T> std::vector<T> from_top(std::vector<T> pixels, ivec2 size)
-{
-    for (int y = 0; y < size.y / 2; ++y)
-        std::swap_ranges(pixels.begin() + std::ptrdiff_t(y) * size.x, pixels.begin() + std::ptrdiff_t(y + 1) * size.x,
-                         pixels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
-    return pixels;
 }
 
 } // namespace
@@ -90,7 +45,7 @@ SurfaceView SurfaceRenderer::render(const Camera& camera, const ShaderLineOption
 {
     const Projector projector(model_, camera);
     const View view = model_.view(camera);
-    program_.set("to_clip", clip_matrix(projector, camera.size));
+    program_.set("to_clip", clip_matrix(projector, {ivec2(0), camera.size}));
     program_.set("eye", view.eye);
     program_.set("orthographic", int(view.orthographic));
     program_.set("pixels_per_unit", float(projector.scale));

@@ -29,12 +29,17 @@ FragmentTracer::FragmentTracer(const SeenScene& scene, const Camera& camera)
 {
 }
 
-Fragment FragmentTracer::at(const dvec2& pixel) const
+Camera::Ray FragmentTracer::sight(const dvec2& pixel) const
 {
     const dvec2 offset = (pixel - 0.5 * dvec2(camera_.size)) * world_per_pixel_;
     const dvec3 side = right_ * offset.x - above_ * offset.y;
-    const dvec3 direction = camera_.orthographic ? forward_ : glm::normalize(forward_ + side);
-    const dvec3 eye = ((camera_.orthographic ? camera_.eye + side : camera_.eye) - scene_.centre) / scene_.scale;
+    return {((camera_.orthographic ? camera_.eye + side : camera_.eye) - scene_.centre) / scene_.scale,
+            camera_.orthographic ? forward_ : glm::normalize(forward_ + side)};
+}
+
+Fragment FragmentTracer::at(const dvec2& pixel) const
+{
+    const auto [eye, direction] = sight(pixel);
     // The float ray starts close to the objects, so that a far eye costs no precision.
     const double skipped = std::max(0.0, -glm::dot(eye, direction) - 1.001 * radius_);
     const dvec3 start = eye + skipped * direction;

@@ -42,6 +42,8 @@ public:
     FragmentTracer(const SeenScene& scene, const Camera& camera);
     /// @param pixel  x right, y down; pixel centres at .5
     Fragment at(const dvec2& pixel) const;
+    /// The line of sight there, in the frame of the scene; the direction is a unit vector.
+    Camera::Ray sight(const dvec2& pixel) const;
 
 private:
     const SeenScene& scene_;

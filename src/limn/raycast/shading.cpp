@@ -12,6 +12,63 @@
 namespace limn {
 namespace {
 
+void store(Image& image, int x, int y, const vec3& colour)
+{
+    float* pixel = image.at(x, y);
+    pixel[0] = colour.x, pixel[1] = colour.y, pixel[2] = colour.z;
+}
+
+vec3 load(const Image& image, int x, int y)
+{
+    const float* pixel = image.at(x, y);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+/// True if a pixel looks like the eight around it.
+bool is_even(const Image& image, int x, int y)
+{
+    for (int ny = std::max(0, y - 1); ny <= std::min(image.height - 1, y + 1); ++ny)
+        for (int nx = std::max(0, x - 1); nx <= std::min(image.width - 1, x + 1); ++nx)
+            if (formulas::is_step(load(image, nx, ny), load(image, x, y)))
+                return false;
+    return true;
+}
+
+/// The colour that is seen in a place of the picture.
+struct Shader {
+    const ShadeOptions& options;
+    vec3 to_light; ///< zero: headlight
+    std::optional<vec3> lamp; ///< in the frame of the scene
+    std::optional<GroundPlane> plane; ///< all objects are above it: it hides none
+    FragmentTracer tracer;
+
+    float tone(const vec3& position, const vec3& normal, const vec3& to_eye) const
+    {
+        const vec3 d = lamp ? *lamp - position : vec3(0);
+        const vec3 towards = d != vec3(0) ? glm::normalize(d) : to_light != vec3(0) ? to_light : to_eye;
+        return formulas::surface_tone(normal, to_eye, towards, options.toon_limit, options.shading == Shading::toon ? float(options.toon_levels) : 0.0f);
+    }
+    vec3 backdrop(const dvec2& pixel) const
+    {
+        if (!plane)
+            return options.background;
+        const Camera::Ray line = tracer.sight(pixel);
+        const GroundPlane::Point ground = plane->meet(line);
+        const vec3 colour = glm::mix(options.ground->dark, options.ground->light, tone(ground.position, plane->up(), -vec3(line.direction)));
+        return glm::mix(options.background, colour, ground.cover);
+    }
+    vec3 at(const dvec2& pixel) const
+    {
+        const Fragment fragment = tracer.at(pixel);
+        if (!fragment.hit())
+            return backdrop(pixel);
+        const vec3& normal = options.shading == Shading::flat ? fragment.face_normal : fragment.normal;
+        return glm::mix(options.dark, options.light, tone(fragment.position, normal, fragment.to_eye));
+    }
+};
+
+} // namespace
+
 void check(const ShadeOptions& options)
 {
     if (options.toon_levels < 2 || options.toon_levels > 16)
@@ -26,56 +83,6 @@ void check(const ShadeOptions& options)
         throw Error::Input("a distant light and a lamp were both asked for; give one");
 }
 
-/// A step in tone that the eye does not see: below it an edge needs no anti-aliasing.
-constexpr float unseen_step = 1.0f / 48;
-
-void store(Image& image, int x, int y, const vec3& colour)
-{
-    float* pixel = image.at(x, y);
-    pixel[0] = colour.x, pixel[1] = colour.y, pixel[2] = colour.z;
-}
-
-bool differs(const float* a, const float* b)
-{
-    return std::abs(a[0] - b[0]) > unseen_step || std::abs(a[1] - b[1]) > unseen_step || std::abs(a[2] - b[2]) > unseen_step;
-}
-
-/// True if a pixel looks like the eight around it.
-bool is_even(const Image& image, int x, int y)
-{
-    for (int ny = std::max(0, y - 1); ny <= std::min(image.height - 1, y + 1); ++ny)
-        for (int nx = std::max(0, x - 1); nx <= std::min(image.width - 1, x + 1); ++nx)
-            if (differs(image.at(nx, ny), image.at(x, y)))
-                return false;
-    return true;
-}
-
-/// The colour that is seen in a place of the picture.
-struct Shader {
-    const ShadeOptions& options;
-    vec3 to_light; ///< zero: headlight
-    std::optional<vec3> lamp; ///< in the frame of the scene
-    FragmentTracer tracer;
-
-    vec3 light_at(const Fragment& fragment) const
-    {
-        const vec3 d = lamp ? *lamp - fragment.position : vec3(0);
-        return d == vec3(0) ? to_light : glm::normalize(d);
-    }
-    vec3 at(const dvec2& pixel) const
-    {
-        const Fragment fragment = tracer.at(pixel);
-        if (!fragment.hit())
-            return options.background;
-        float tone = diffuse_value(fragment, options.shading == Shading::flat ? fragment.face_normal : fragment.normal, light_at(fragment));
-        if (options.shading == Shading::toon)
-            tone = formulas::toon_tone(tone, options.toon_limit, float(options.toon_levels));
-        return glm::mix(options.dark, options.light, tone);
-    }
-};
-
-} // namespace
-
 float diffuse_value(const Fragment& fragment, const vec3& normal, const vec3& to_light)
 {
     const vec3 n = formulas::seen_normal(normal, fragment.to_eye);
@@ -87,7 +94,8 @@ Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& op
     check(options);
     const vec3 to_light = options.to_light ? vec3(glm::normalize(*options.to_light)) : vec3(0);
     const std::optional<vec3> lamp = options.lamp ? std::optional(vec3((*options.lamp - scene.centre) / scene.scale)) : std::nullopt;
-    const Shader shader = {options, to_light, lamp, FragmentTracer(scene, camera)};
+    const std::optional<GroundPlane> plane = options.ground ? std::optional(GroundPlane(*options.ground, scene.centre, scene.scale)) : std::nullopt;
+    const Shader shader = {options, to_light, lamp, plane, FragmentTracer(scene, camera)};
     Image centres(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t y) {
         for (int x = 0; x < camera.size.x; ++x)

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "limn/base/image.h"
-#include "limn/raycast/fragment.h"
+#include "limn/raycast/ground.h"
 
 namespace limn {
 
@@ -23,6 +23,7 @@ struct ShadeOptions {
     vec3 dark = vec3(0.25f);       ///< encoded (sRGB) colour of unlit places
     vec3 light = vec3(1);          ///< of fully lit ones
     vec3 background = vec3(1);
+    std::optional<Ground> ground;  ///< lit as the objects are
     int samples = 16;              ///< rays of a pixel on an edge, 1..256
 };
 
@@ -31,6 +32,9 @@ struct ShadeOptions {
 /// hits no centre. Multi-threaded; same bytes for any number of threads.
 /// @throws Error::Input for a number out of range, a light without direction, and both kinds of light at once.
 Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& options = {});
+
+/// @throws Error::Input as shade().
+void check(const ShadeOptions& options);
 
 /// Diffuse value of a fragment in [0,1]: Lambert's law for the side that is seen.
 /// @param to_light  unit; zero for a headlight

@@ -45,7 +45,7 @@ OptionRow<O> colour_row(std::string name, std::string help, vec3 O::*member)
 
 } // namespace
 
-ShadeOptions shade_options(const RenderOptions& options)
+ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene, const dvec3& up)
 {
     ShadeOptions result;
     result.shading = options.shading;
@@ -57,6 +57,11 @@ ShadeOptions shade_options(const RenderOptions& options)
     result.light = options.colour;
     result.background = options.background;
     result.samples = options.samples;
+    if (options.ground) {
+        result.ground = ground_under(scene, up);
+        result.ground->dark = options.shade * options.ground_colour;
+        result.ground->light = options.ground_colour;
+    }
     return result;
 }
 
@@ -69,6 +74,8 @@ const OptionTable<RenderOptions>& render_option_table()
         colour_row("surface-colour", "of lit places", &O::colour),
         number_row("unlit", "", 0, 1, "tone of unlit places, as a part of the colour", &O::shade),
         colour_row("background", "where nothing is seen", &O::background),
+        switch_row("ground", "a level plane under everything, seen from above, that fades into the background", &O::ground),
+        colour_row("ground-colour", "of the ground where it is lit", &O::ground_colour),
         number_row("toon-levels", "", 2, 16, "tones of toon shading", &O::toon_levels),
         number_row("toon-limit", "", 0.001, 0.999, "light below which toon shading is dark", &O::toon_limit),
         number_row("samples", "", 1, 256, "rays through a pixel on an edge", &O::samples),

@@ -15,13 +15,16 @@ struct RenderOptions {
     vec3 colour = vec3(0.85f, 0.83f, 0.8f); ///< of fully lit places
     float shade = 0.25f;        ///< tone of unlit places, as a part of the colour
     vec3 background = vec3(1);
+    bool ground = false;        ///< a level plane under everything
+    vec3 ground_colour = vec3(0.92f, 0.91f, 0.88f); ///< of it where it is fully lit
     int toon_levels = 2;
     float toon_limit = 0.3f;
     int samples = 16;           ///< rays of a pixel on an edge
     int bits = 8;               ///< of a PNG's samples
 };
 
-ShadeOptions shade_options(const RenderOptions& options);
+/// @param up  of the world, unit; for the ground
+ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene, const dvec3& up);
 
 /// The options above as data.
 const OptionTable<RenderOptions>& render_option_table();

@@ -1,0 +1,116 @@
+// Lit pictures of the device beside those of the processor.
+
+#include "limn/gpu/lit_view.h"
+
+#include <fmt/format.h>
+
+#include "gpu/gpu.h"
+#include "limn/lines/draw.h"
+#include "limn/lines/regions.h"
+#include "limn/surface/shapes.h"
+
+namespace limn::test {
+namespace {
+
+struct Stage {
+    Shape shape;
+    LineModel model;
+    RayScene rays;
+    explicit Stage(const std::string& name, std::size_t triangles)
+        : shape(make_shape({.name = name, .triangles = triangles, .float_positions = false})), model(model_of(shape)), rays(build_ray_scene(model))
+    {
+    }
+    static LineModel model_of(const Shape& shape)
+    {
+        const PlacedSurface placed = {&shape.mesh, &shape.exact};
+        return build_line_model({&placed, 1});
+    }
+    Camera camera(ivec2 size, bool orthographic = false) const
+    {
+        return Camera::framing(shape.mesh.bounds(), {.view = "35,25", .up_axis = 'z', .size = size, .orthographic = orthographic});
+    }
+    SeenScene seen() const { return seen_scene(model, rays); }
+};
+
+/// Styles of `limn render`, each with another light.
+std::vector<std::pair<std::string, ShadeOptions>> styles(const SeenScene& scene)
+{
+    ShadeOptions smooth, flat, toon, dark;
+    smooth.ground = ground_under(scene, dvec3(0, 0, 1));
+    flat.shading = Shading::flat;
+    flat.to_light = dvec3(1, -2, 3);
+    toon.shading = Shading::toon;
+    toon.toon_levels = 3;
+    toon.lamp = scene.centre + scene.scale * dvec3(2, -1, 2);
+    toon.ground = smooth.ground;
+    dark.dark = vec3(0.05f);
+    dark.light = vec3(0.3f, 0.32f, 0.4f);
+    dark.background = vec3(0);
+    return {{"smooth", smooth}, {"flat", flat}, {"toon", toon}, {"dark", dark}};
+}
+
+double share_of_other_pixels(const Image& a, const Image& b, double limit)
+{
+    std::size_t other = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            double most = 0;
+            for (int c = 0; c < 3; ++c)
+                most = std::max(most, std::abs(double(a.at(x, y)[c]) - double(b.at(x, y)[c])));
+            other += most > limit;
+        }
+    return double(other) / (double(a.width) * double(a.height));
+}
+
+class GpuLit : public Gpu {};
+
+// Within 2/255 on 99.9 % of the pixels, those on edges among them: both take the same places of the same pixels.
+TEST_F(GpuLit, PicturesAreThoseOfTheProcessor)
+{
+    for (const char* name : {"torus", "blob"}) {
+        const Stage stage(name, 20000);
+        const gpu::LitRenderer renderer(stage.model);
+        for (const auto& [style, options] : styles(stage.seen()))
+            for (const bool orthographic : {false, true}) {
+                const Camera camera = stage.camera({240, 180}, orthographic);
+                const double other = share_of_other_pixels(renderer.render(camera, options), shade(stage.seen(), camera, options), 2.0 / 255);
+                fmt::print("[ lit      ] {}, {}{}: {:.3f} % of the pixels differ by more than 2/255\n", name, style, orthographic ? ", orthographic" : "", 100 * other);
+                EXPECT_LE(other, 0.001) << name << ", " << style;
+            }
+    }
+}
+
+TEST_F(GpuLit, LargePicturesArePutTogetherFromTiles)
+{
+    const Stage stage("knot", 8000);
+    ShadeOptions options;
+    options.ground = ground_under(stage.seen(), dvec3(0, 0, 1));
+    options.samples = 4;
+    for (const bool orthographic : {false, true}) {
+        const Camera camera = stage.camera({230, 170}, orthographic);
+        const Image whole = gpu::LitRenderer(stage.model).render(camera, options), tiled = gpu::LitRenderer(stage.model, 64).render(camera, options);
+        EXPECT_LE(share_of_other_pixels(whole, tiled, 1e-4), 0.001); // the tiles' matrices round otherwise
+    }
+}
+
+TEST_F(GpuLit, IsTheSameTwice)
+{
+    const Stage stage("blob", 5000);
+    const gpu::LitRenderer renderer(stage.model);
+    const Camera camera = stage.camera({160, 120});
+    EXPECT_EQ(renderer.render(camera).samples, renderer.render(camera).samples);
+}
+
+TEST_F(GpuLit, ShadesAModelWithoutNormalsByItsTriangles)
+{
+    Stage stage("blob", 2000);
+    const Camera camera = stage.camera({120, 90});
+    ShadeOptions flat;
+    flat.shading = Shading::flat;
+    const Image expected = gpu::LitRenderer(stage.model).render(camera, flat);
+    stage.model.normals.clear();
+    EXPECT_EQ(gpu::LitRenderer(stage.model).render(camera).samples, expected.samples);
+}
+
+} // namespace
+} // namespace limn::test
