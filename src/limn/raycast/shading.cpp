@@ -12,7 +12,7 @@
 namespace limn {
 namespace {
 
-void check(const ShadeOptions& options)
+void check(const ShadeOptions& options, std::size_t parts)
 {
     if (options.toon_levels < 2 || options.toon_levels > 16)
         throw Error::Input(fmt::format("{} toon levels are outside 2..16", options.toon_levels));
@@ -24,6 +24,8 @@ void check(const ShadeOptions& options)
         throw Error::Input("the light has no direction");
     if (options.to_light && options.lamp)
         throw Error::Input("a distant light and a lamp were both asked for; give one");
+    if (!options.materials.empty() && options.materials.size() != parts)
+        throw Error::Input(fmt::format("{} materials do not fit {} objects", options.materials.size(), parts));
 }
 
 /// A step in tone that the eye does not see: below it an edge needs no anti-aliasing.
@@ -50,8 +52,14 @@ bool is_even(const Image& image, int x, int y)
     return true;
 }
 
+/// The encoded colours between which light mixes.
+struct Tones {
+    vec3 dark, light;
+};
+
 /// The colour that is seen in a place of the picture.
 struct Shader {
+    const SeenScene& scene;
     const ShadeOptions& options;
     vec3 to_light; ///< zero: headlight
     std::optional<vec3> lamp; ///< in the frame of the scene
@@ -62,6 +70,13 @@ struct Shader {
         const vec3 d = lamp ? *lamp - fragment.position : vec3(0);
         return d == vec3(0) ? to_light : glm::normalize(d);
     }
+    Tones tones_of(const Fragment& fragment) const
+    {
+        if (options.materials.empty())
+            return {options.dark, options.light};
+        const Material& material = options.materials[scene.part_of(fragment.object, fragment.triangle)];
+        return {material.dark(), material.colour};
+    }
     vec3 at(const dvec2& pixel) const
     {
         const Fragment fragment = tracer.at(pixel);
@@ -70,7 +85,8 @@ struct Shader {
         float tone = diffuse_value(fragment, options.shading == Shading::flat ? fragment.face_normal : fragment.normal, light_at(fragment));
         if (options.shading == Shading::toon)
             tone = formulas::toon_tone(tone, options.toon_limit, float(options.toon_levels));
-        return glm::mix(options.dark, options.light, tone);
+        const Tones tones = tones_of(fragment);
+        return glm::mix(tones.dark, tones.light, tone);
     }
 };
 
@@ -84,10 +100,10 @@ float diffuse_value(const Fragment& fragment, const vec3& normal, const vec3& to
 
 Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& options)
 {
-    check(options);
+    check(options, scene.part_count());
     const vec3 to_light = options.to_light ? vec3(glm::normalize(*options.to_light)) : vec3(0);
     const std::optional<vec3> lamp = options.lamp ? std::optional(vec3((*options.lamp - scene.centre) / scene.scale)) : std::nullopt;
-    const Shader shader = {options, to_light, lamp, FragmentTracer(scene, camera)};
+    const Shader shader = {scene, options, to_light, lamp, FragmentTracer(scene, camera)};
     Image centres(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t y) {
         for (int x = 0; x < camera.size.x; ++x)

@@ -45,6 +45,8 @@ OptionRow<O> colour_row(std::string name, std::string help, vec3 O::*member)
 
 } // namespace
 
+Material default_material(const RenderOptions& options) { return {options.colour, options.shade}; }
+
 ShadeOptions shade_options(const RenderOptions& options)
 {
     ShadeOptions result;
@@ -53,7 +55,7 @@ ShadeOptions shade_options(const RenderOptions& options)
     result.lamp = options.lamp;
     result.toon_levels = options.toon_levels;
     result.toon_limit = options.toon_limit;
-    result.dark = options.shade * options.colour;
+    result.dark = default_material(options).dark();
     result.light = options.colour;
     result.background = options.background;
     result.samples = options.samples;

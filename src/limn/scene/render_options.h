@@ -12,14 +12,17 @@ struct RenderOptions {
     Shading shading = Shading::smooth;
     std::optional<dvec3> light; ///< world direction towards a distant light; absent: a headlight at the eye
     std::optional<dvec3> lamp;  ///< world position of a point light, instead of either
-    vec3 colour = vec3(0.85f, 0.83f, 0.8f); ///< of fully lit places
-    float shade = 0.25f;        ///< tone of unlit places, as a part of the colour
+    vec3 colour = Material().colour; ///< of fully lit places
+    float shade = Material().unlit;  ///< tone of unlit places, as a part of the colour
     vec3 background = vec3(1);
     int toon_levels = 2;
     float toon_limit = 0.3f;
     int samples = 16;           ///< rays of a pixel on an edge
     int bits = 8;               ///< of a PNG's samples
 };
+
+/// What an object looks like that has no material of its own.
+Material default_material(const RenderOptions& options);
 
 ShadeOptions shade_options(const RenderOptions& options);
 
