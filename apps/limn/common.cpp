@@ -21,7 +21,7 @@ void add_common_options(CLI::App& app, CommonOptions& options, const std::string
         ->type_name("N")
         ->check(CLI::Range(0, 1024))
         ->group(group);
-    app.add_option("--device", options.device, "cpu|gpu|auto: where to compute (default auto: on the CPU, where all is done so far)")
+    app.add_option("--device", options.device, "cpu|gpu|auto: where to compute (default auto: on a graphics card where the command can and there is one)")
         ->type_name("DEVICE")
         ->check(CLI::IsMember({"cpu", "gpu", "auto"}))
         ->group(group);

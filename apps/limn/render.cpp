@@ -11,15 +11,11 @@
 #include "limn/drawing/exr.h"
 #include "limn/drawing/png.h"
 #include "limn/drawing/raster.h"
-#include "limn/gpu/context.h"
-#include "limn/gpu/image_lines.h"
-#include "limn/gpu/surface_view.h"
 #include "limn/lines/feature_size.h"
-#include "limn/lines/image_lines.h"
-#include "limn/lines/shader_lines.h"
 #include "limn/scene/passes.h"
 #include "limn/scene/render_options.h"
 #include "pictures.h"
+#include "pixel_painter.h"
 #include "subcommand.h"
 #include "table_options.h"
 
@@ -80,62 +76,6 @@ std::vector<std::string> write_passes(const std::vector<Pass>& passes, const Cam
     return written;
 }
 
-/// Lines decided per pixel, by either kind of method, on the device where one was asked for.
-class PixelLines {
-public:
-    /// @throws Error::Device where the command asks for a GPU and there is none.
-    explicit PixelLines(const RenderCommand& command) : command_(command)
-    {
-        if (command.pictures.common.device == "gpu")
-            context_.emplace();
-    }
-
-    /// Lays them over the picture. They are found at twice the size and averaged, so that they are not jagged.
-    void draw_on(Image& picture, const SeenModel& model, const Camera& camera, const vec3& colour) const
-    {
-        constexpr int finer = 2;
-        Camera fine = camera;
-        fine.size = finer * camera.size;
-        if (command_.image_lines.method != ImageMethod::off)
-            lay_over(picture, by_filter(model, fine), finer, colour);
-        if (command_.shader_lines)
-            lay_over(picture, by_shader(model, fine, finer), finer, colour);
-    }
-
-private:
-    Image by_filter(const SeenModel& model, const Camera& camera) const
-    {
-        const LineFields fields = line_fields(trace_gbuffer(model.scene, camera), camera, model.scene, model.scene.scale);
-        return context_ ? gpu::ImageLineFinder().find(fields, command_.image_lines) : find_image_lines(fields, command_.image_lines);
-    }
-
-    Image by_shader(const SeenModel& model, const Camera& camera, int finer) const
-    {
-        ShaderLineOptions options;
-        options.contour_width *= float(finer);
-        options.suggestive_width *= float(finer);
-        options.suggestive_limit = float(command_.pictures.lines.suggestive_limit);
-        options.feature_size = model_feature_size(model.lines, command_.pictures.lines.feature_size);
-        return context_ ? gpu::SurfaceRenderer(model.lines).render(camera, options).ink()
-                        : find_shader_lines(model.lines, trace_gbuffer(model.scene, camera), camera, options);
-    }
-
-    static void lay_over(Image& picture, const Image& lines, int finer, const vec3& colour)
-    {
-        for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x) {
-                float cover = 0;
-                for (int k = 0; k < finer * finer; ++k)
-                    cover += *lines.at(finer * x + k % finer, finer * y + k / finer) / float(finer * finer);
-                for (int c = 0; c < 3; ++c)
-                    picture.at(x, y)[c] = glm::mix(picture.at(x, y)[c], colour[c], cover);
-            }
-    }
-
-    const RenderCommand& command_;
-    std::optional<gpu::Context> context_;
-};
-
 void check_passes(const RenderCommand& command, const std::vector<Pass>& passes)
 {
     if (passes.empty())
@@ -147,6 +87,20 @@ void check_passes(const RenderCommand& command, const std::vector<Pass>& passes)
             throw Error::Input("--pass writes several files; -o - cannot hold them");
 }
 
+PixelOptions pixel_options(const RenderCommand& command, const SeenModel& model)
+{
+    PixelOptions options = {shade_options(command.render, model.scene, model.up), command.image_lines, std::nullopt,
+                            command.pictures.style.line(LineType::contour).colour};
+    if (command.shader_lines) {
+        options.shader_lines.emplace();
+        options.shader_lines->suggestive_limit = float(command.pictures.lines.suggestive_limit);
+        options.shader_lines->feature_size = model_feature_size(model.lines, command.pictures.lines.feature_size);
+    }
+    return options;
+}
+
+void say_on_standard_error(const std::string& line) { fmt::print(stderr, "limn: {}\n", line); }
+
 void run(RenderCommand& command)
 {
     PictureCommand& pictures = command.pictures;
@@ -157,14 +111,9 @@ void run(RenderCommand& command)
     pictures.need = pass_need(passes);
     if (command.shader_lines)
         pictures.need = Need::derivative;
-    if (pictures.common.device == "gpu" && command.image_lines.method == ImageMethod::off && !command.shader_lines)
-        throw Error::Device("--device gpu: only --image-lines and --shader-lines are computed on the GPU so far; shading and --lines use the processor");
     PictureHooks hooks;
-    const PixelLines pixel_lines(command);
-    hooks.underlay = [&](Drawing& drawing, const SeenModel& model) {
-        drawing.background = shade(model.scene, drawing.camera, shade_options(command.render, model.scene, model.up));
-        pixel_lines.draw_on(drawing.background, model, drawing.camera, pictures.style.line(LineType::contour).colour);
-    };
+    PixelPainter painter(pictures.common.device, say_on_standard_error);
+    hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { drawing.background = painter.paint(model, drawing.camera, pixel_options(command, model)); };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
         write_image(picture, output, command.render.bits);

@@ -135,7 +135,7 @@ TEST_F(Render, FindsLinesPerPixelOnBothDevicesAlike)
 {
     render("-o " + path("bare.png"));
     const Image bare = picture("bare.png");
-    for (const std::string method : {"--image-lines threshold", "--image-lines depth-raw", "--image-lines depth", "--image-lines valley-printed",
+    for (const std::string method : {"--ground --lamp 3,4,5", "--image-lines threshold", "--image-lines depth-raw", "--image-lines depth", "--image-lines valley-printed",
                                      "--image-lines valley", "--shader-lines"}) {
         render("-o " + path("cpu.png") + " " + method);
         const Image cpu = picture("cpu.png");
@@ -153,9 +153,14 @@ TEST_F(Render, FindsLinesPerPixelOnBothDevicesAlike)
             differ += std::abs(cpu.samples[i] - other.samples[i]) > 2.0f / 255;
         EXPECT_LE(differ, cpu.samples.size() / 200) << method; // the shader's edges fall on other samples
     }
-    const ProgramResult nothing = limn("render " + torus() + " --device gpu -o " + path("g.png"));
-    EXPECT_EQ(nothing.exit_code, 1);
-    EXPECT_NE(nothing.errors.find("--image-lines"), std::string::npos) << nothing.errors;
+}
+
+TEST_F(Render, TakesTheProcessorWhereThereIsNoDriver)
+{
+    const std::string command = "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent '" LIMN_COMMAND "' render '" + torus() + "' --size 160x120 -o ";
+    EXPECT_EQ(run_shell(command + path("auto.png")).exit_code, 0);
+    render("-o " + path("cpu.png") + " --device cpu");
+    EXPECT_EQ(read_text(path("auto.png")), read_text(path("cpu.png")));
 }
 
 TEST_F(Render, SaysThatThereIsNoDriver)

@@ -1,24 +1,31 @@
 #include "limn/gpu/image_lines.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "gpu/gpu.h"
-#include "limn/lines/draw.h"
-#include "limn/lines/regions.h"
-#include "limn/surface/shapes.h"
+#include "limn/gpu/field_view.h"
+#include "support/staged_shape.h"
 
 namespace limn::test {
 namespace {
 
 class GpuImageLines : public Gpu {};
 
-LineFields fields_of(const std::string& name, bool orthographic)
+constexpr ImageMethod all_methods[] = {ImageMethod::threshold, ImageMethod::depth_raw, ImageMethod::depth, ImageMethod::valley_printed, ImageMethod::valley};
+
+LineFields fields_of(const StagedShape& stage, const Camera& camera)
 {
-    const Shape shape = make_shape({.name = name, .triangles = 40000});
-    const PlacedSurface placed = {&shape.mesh, &shape.exact};
-    const LineModel model = build_line_model({&placed, 1});
-    const RayScene rays = build_ray_scene(model);
-    const SeenScene scene = seen_scene(model, rays);
-    const Camera camera = Camera::framing(shape.mesh.bounds(), {.view = "35,25", .up_axis = 'z', .size = {301, 203}, .orthographic = orthographic});
-    return line_fields(trace_gbuffer(scene, camera), camera, scene, model.scale);
+    return line_fields(trace_gbuffer(stage.seen(), camera), camera, stage.seen(), stage.model.scale);
+}
+
+std::size_t differing(const Image& a, const Image& b)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.samples.size(); ++i)
+        count += a.samples[i] != b.samples[i];
+    return count;
 }
 
 // The texts are shared and the inputs are the same numbers: only what lies within rounding of a limit may differ.
@@ -27,20 +34,53 @@ TEST_F(GpuImageLines, FindThePixelsThatTheProcessorFinds)
     const gpu::ImageLineFinder finder;
     for (const bool orthographic : {false, true})
         for (const char* name : {"blob", "rings", "bumpy-torus"}) {
-            const LineFields fields = fields_of(name, orthographic);
-            for (const ImageMethod method : {ImageMethod::threshold, ImageMethod::depth_raw, ImageMethod::depth, ImageMethod::valley_printed, ImageMethod::valley}) {
+            const StagedShape stage(name, 40000);
+            const LineFields fields = fields_of(stage, stage.camera({301, 203}, orthographic));
+            for (const ImageMethod method : all_methods) {
                 ImageLineOptions options;
                 options.method = method;
                 const Image processor = find_image_lines(fields, options), device = finder.find(fields, options);
-                std::size_t differ = 0, lines = 0;
-                for (std::size_t i = 0; i < processor.samples.size(); ++i) {
-                    differ += processor.samples[i] != device.samples[i];
-                    lines += processor.samples[i] == 1;
-                }
+                const std::size_t differ = differing(processor, device), lines = std::size_t(std::count(processor.samples.begin(), processor.samples.end(), 1.0f));
                 EXPECT_GT(lines, 100u) << name << " method " << int(method);
                 EXPECT_LE(differ, processor.samples.size() / 10000) << name << " method " << int(method);
             }
         }
+}
+
+// The fields are drawn on the device too: now the two may see other faces along edges.
+TEST_F(GpuImageLines, AreThoseOfTheProcessorWhenTheDeviceDrawsTheModelToo)
+{
+    const gpu::ImageLineFinder finder;
+    for (const bool orthographic : {false, true})
+        for (const char* name : {"blob", "rings"}) {
+            const StagedShape stage(name, 40000);
+            const Camera camera = stage.camera({301, 203}, orthographic);
+            const LineFields fields = fields_of(stage, camera);
+            gpu::FieldRenderer renderer(stage.model);
+            for (const ImageMethod method : all_methods) {
+                ImageLineOptions options;
+                options.method = method;
+                const Image device = gpu::draw_image_lines(renderer, finder, camera, options);
+                const std::size_t differ = differing(device, find_image_lines(fields, options));
+                fmt::print("[ fields   ] {}{}, method {}: {} of {} pixels differ\n", name, orthographic ? ", orthographic" : "", int(method), differ, device.samples.size());
+                EXPECT_LE(differ, device.samples.size() / 1000) << name << " method " << int(method);
+            }
+        }
+}
+
+TEST_F(GpuImageLines, LargePicturesArePutTogetherFromTiles)
+{
+    const gpu::ImageLineFinder finder;
+    const StagedShape stage("blob", 20000);
+    gpu::FieldRenderer renderer(stage.model);
+    const Camera camera = stage.camera({230, 170});
+    for (const ImageMethod method : all_methods) {
+        ImageLineOptions options;
+        options.method = method;
+        options.radius = 9;
+        const Image whole = gpu::draw_image_lines(renderer, finder, camera, options), tiled = gpu::draw_image_lines(renderer, finder, camera, options, 64);
+        EXPECT_LE(differing(whole, tiled), whole.samples.size() / 2000) << int(method);
+    }
 }
 
 } // namespace

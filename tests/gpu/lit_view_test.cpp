@@ -3,34 +3,13 @@
 #include "limn/gpu/lit_view.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu/gpu.h"
-#include "limn/lines/draw.h"
-#include "limn/lines/regions.h"
-#include "limn/surface/shapes.h"
+#include "support/staged_shape.h"
 
 namespace limn::test {
 namespace {
-
-struct Stage {
-    Shape shape;
-    LineModel model;
-    RayScene rays;
-    explicit Stage(const std::string& name, std::size_t triangles)
-        : shape(make_shape({.name = name, .triangles = triangles, .float_positions = false})), model(model_of(shape)), rays(build_ray_scene(model))
-    {
-    }
-    static LineModel model_of(const Shape& shape)
-    {
-        const PlacedSurface placed = {&shape.mesh, &shape.exact};
-        return build_line_model({&placed, 1});
-    }
-    Camera camera(ivec2 size, bool orthographic = false) const
-    {
-        return Camera::framing(shape.mesh.bounds(), {.view = "35,25", .up_axis = 'z', .size = size, .orthographic = orthographic});
-    }
-    SeenScene seen() const { return seen_scene(model, rays); }
-};
 
 /// Styles of `limn render`, each with another light.
 std::vector<std::pair<std::string, ShadeOptions>> styles(const SeenScene& scene)
@@ -68,7 +47,7 @@ class GpuLit : public Gpu {};
 TEST_F(GpuLit, PicturesAreThoseOfTheProcessor)
 {
     for (const char* name : {"torus", "blob"}) {
-        const Stage stage(name, 20000);
+        const StagedShape stage(name, 20000);
         const gpu::LitRenderer renderer(stage.model);
         for (const auto& [style, options] : styles(stage.seen()))
             for (const bool orthographic : {false, true}) {
@@ -80,9 +59,28 @@ TEST_F(GpuLit, PicturesAreThoseOfTheProcessor)
     }
 }
 
+TEST_F(GpuLit, EachObjectHasAMaterialOfItsOwn)
+{
+    const Shape torus = make_shape({.name = "torus", .triangles = 3000}), blob = make_shape({.name = "blob", .triangles = 3000});
+    const PlacedSurface placed[] = {{&torus.mesh, &torus.exact}, {&blob.mesh, &blob.exact, glm::translate(dmat4(1), dvec3(1, 2, 0))}};
+    const LineModel model = build_line_model(placed);
+    const RayScene rays = build_ray_scene(model);
+    const SeenScene seen = seen_scene(model, rays);
+    ShadeOptions options;
+    options.materials = {{.colour = vec3(1, 0.2f, 0.1f)}, {.colour = vec3(0.1f, 0.4f, 0.9f), .unlit = 0.5f}};
+    Camera camera;
+    camera.eye = dvec3(9, 6, 7);
+    camera.look = seen.centre;
+    camera.size = {240, 180};
+    const Image device = gpu::LitRenderer(model).render(camera, options);
+    EXPECT_LE(share_of_other_pixels(device, shade(seen, camera, options), 2.0 / 255), 0.001);
+    options.materials.pop_back();
+    EXPECT_THROW(gpu::LitRenderer(model).render(camera, options), Error::Input);
+}
+
 TEST_F(GpuLit, LargePicturesArePutTogetherFromTiles)
 {
-    const Stage stage("knot", 8000);
+    const StagedShape stage("knot", 8000);
     ShadeOptions options;
     options.ground = ground_under(stage.seen(), dvec3(0, 0, 1));
     options.samples = 4;
@@ -95,7 +93,7 @@ TEST_F(GpuLit, LargePicturesArePutTogetherFromTiles)
 
 TEST_F(GpuLit, IsTheSameTwice)
 {
-    const Stage stage("blob", 5000);
+    const StagedShape stage("blob", 5000);
     const gpu::LitRenderer renderer(stage.model);
     const Camera camera = stage.camera({160, 120});
     EXPECT_EQ(renderer.render(camera).samples, renderer.render(camera).samples);
@@ -103,7 +101,7 @@ TEST_F(GpuLit, IsTheSameTwice)
 
 TEST_F(GpuLit, ShadesAModelWithoutNormalsByItsTriangles)
 {
-    Stage stage("blob", 2000);
+    StagedShape stage("blob", 2000);
     const Camera camera = stage.camera({120, 90});
     ShadeOptions flat;
     flat.shading = Shading::flat;

@@ -127,6 +127,69 @@ TEST(Shade, LightsTheBackOfAnOpenSheet)
     EXPECT_NEAR(shade(scene.finish(), camera, grey(Shading::smooth)).at(10, 10)[0], 1, 1e-6);
 }
 
+TEST(Shade, AMaterialForEachObjectIsTheOneThatAPictureOfItHas)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 20000), {-0.6, 0, 0});
+    scene.add(test::shape("sphere", 20000), {0.6, 0, 0});
+    const SeenScene& seen = scene.finish();
+    const Camera camera = test::orthographic_camera(100);
+    ShadeOptions options = grey(Shading::smooth);
+    options.materials = {{vec3(1, 0.5f, 0), 0.2f}, {vec3(0, 0.25f, 1), 0.4f}};
+    const Image both = shade(seen, camera, options);
+    std::vector<Image> alike;
+    for (const Material& material : options.materials) {
+        ShadeOptions of_one = grey(Shading::smooth);
+        of_one.dark = material.dark(), of_one.light = material.colour;
+        alike.push_back(shade(seen, camera, of_one));
+    }
+    const FragmentTracer tracer(seen, camera);
+    std::size_t of_object[2] = {};
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            std::set<std::uint32_t> around;
+            for (int k = 0; k < 9; ++k)
+                around.insert(tracer.at({x + k % 3 - 0.5, y + k / 3 - 0.5}).object);
+            if (around.size() > 1 || *around.begin() == none)
+                continue;
+            ++of_object[*around.begin()];
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(both.at(x, y)[c], alike[*around.begin()].at(x, y)[c], 0.02) << x << " " << y; // either may have taken more rays
+        }
+    EXPECT_GT(of_object[0], 1000u);
+    EXPECT_GT(of_object[1], 1000u);
+}
+
+TEST(Shade, PartsOfOneObjectHaveMaterialsOfTheirOwn)
+{
+    test::ShapeScene scene;
+    const Shape plane = test::shape("plane", 2000);
+    scene.add(plane);
+    SeenScene seen = scene.finish();
+    const std::uint32_t faces = std::uint32_t(plane.mesh.triangles.size()), first_face[] = {0, 0, faces / 2, faces}; // the first part is empty
+    seen.first_face = first_face;
+    ASSERT_EQ(seen.part_count(), 3u);
+    ShadeOptions options;
+    options.materials = {{vec3(1, 0, 0), 1}, {vec3(0, 1, 0), 1}, {vec3(0, 0, 1), 1}};
+    options.samples = 1;
+    const Camera camera = test::orthographic_camera(60);
+    const Image image = shade(seen, camera, options);
+    const FragmentTracer tracer(seen, camera);
+    std::size_t found[3] = {};
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 60; ++x) {
+            const Fragment fragment = tracer.at({x + 0.5, y + 0.5});
+            if (!fragment.hit())
+                continue;
+            const std::size_t part = fragment.triangle < faces / 2 ? 1 : 2;
+            ++found[part];
+            const vec3 colour = {image.at(x, y)[0], image.at(x, y)[1], image.at(x, y)[2]};
+            ASSERT_EQ(colour, options.materials[part].colour) << x << " " << y;
+        }
+    EXPECT_GT(found[1], 500u);
+    EXPECT_GT(found[2], 500u);
+}
+
 TEST(Shade, IsTheSameForAnyNumberOfThreads)
 {
     test::ShapeScene scene;
@@ -156,6 +219,42 @@ TEST(Shade, RefusesNumbersOutOfRange)
     options = {};
     options.to_light = dvec3(0);
     EXPECT_THROW(shade(seen, camera, options), Error::Input);
+    options = {};
+    options.materials.resize(2); // of one object
+    EXPECT_THROW(shade(seen, camera, options), Error::Input);
+}
+
+TEST(Shade, GroundLiesUnderTheModelsAndFadesIntoTheBackground)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 5000));
+    const SeenScene& seen = scene.finish();
+    ShadeOptions options;
+    options.background = vec3(0, 0, 1);
+    options.to_light = dvec3(0, 1, 0);
+    options.ground = ground_under(seen, dvec3(0, 1, 0));
+    options.ground->material = {.colour = vec3(0.5f, 0.25f, 0.125f)};
+    EXPECT_NEAR(options.ground->middle.y, -1, 1e-3);
+    Camera camera;
+    camera.eye = dvec3(0, 8, 8);
+    camera.fov_degrees = 80;
+    camera.size = {121, 121};
+    const Image image = shade(seen, camera, options);
+    const auto pixel_of = [&](const dvec3& p) {
+        const dvec2 at = camera.project(p).pixel;
+        const float* sample = image.at(int(at.x), int(at.y));
+        return vec3(sample[0], sample[1], sample[2]);
+    };
+    EXPECT_LE(glm::distance(pixel_of(dvec3(1.3, -1, 0)), options.ground->material.colour), 1e-6f); // fully lit from above
+    EXPECT_EQ(pixel_of(dvec3(5, -1, 0)), options.background);
+    const vec3 between = pixel_of(dvec3(2.75, -1, 0));
+    EXPECT_NEAR(between.x, 0.25f, 0.05f);
+    EXPECT_NEAR(between.z, 0.5f * (0.125f + 1), 0.06f);
+    camera.eye = dvec3(0, -6, 8); // from below there is none
+    options.samples = 4;
+    const Image below = shade(seen, camera, options);
+    EXPECT_EQ(vec3(below.at(2, 2)[0], below.at(2, 2)[1], below.at(2, 2)[2]), options.background);
+    EXPECT_EQ(vec3(below.at(60, 118)[0], below.at(60, 118)[1], below.at(60, 118)[2]), options.background);
 }
 
 } // namespace

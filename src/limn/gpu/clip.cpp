@@ -23,6 +23,19 @@ std::vector<Tile> tiles_of(ivec2 picture, int largest)
     return tiles;
 }
 
+Tile with_border(const Tile& tile, int border, ivec2 picture)
+{
+    const ivec2 low = max(tile.corner - border, ivec2(0)), high = min(tile.corner + tile.size + border, picture);
+    return {low, high - low};
+}
+
+void copy_tile(Image& picture, const Image& drawn, const Tile& outer, const Tile& inner)
+{
+    const ivec2 first = inner.corner - outer.corner;
+    for (int y = 0; y < inner.size.y; ++y)
+        std::copy_n(drawn.at(first.x, first.y + y), inner.size.x * drawn.channels, picture.at(inner.corner.x, inner.corner.y + y));
+}
+
 glm::mat4 clip_matrix(const Projector& p, const Tile& tile, const dvec2& offset)
 {
     const dvec2 range = depth_range(p), size = dvec2(tile.size), scale = 2 * p.scale / size;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "limn/base/image.h"
 #include "limn/lines/projector.h"
 
 namespace limn::gpu {
@@ -14,6 +15,12 @@ struct Tile {
 
 /// The tiles of a picture, none wider or higher than `largest`, row by row.
 std::vector<Tile> tiles_of(ivec2 picture, int largest);
+
+/// A tile and the pixels around it that its own depend on, as far as there are any.
+Tile with_border(const Tile& tile, int border, ivec2 picture);
+
+/// Copies the pixels of `inner` out of a picture of `outer`.
+void copy_tile(Image& picture, const Image& drawn, const Tile& outer, const Tile& inner);
 
 /// From a model's frame to the clip space of one tile; w is the depth (1 in orthographic views).
 /// @param offset  of the place that is seen at a pixel's centre, from that centre, px

@@ -1,5 +1,6 @@
 #include "limn/gpu/context.h"
 
+#include <filesystem>
 #include <vector>
 
 #include <epoxy/egl.h>
@@ -156,6 +157,14 @@ void Context::on_problem(Report report)
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(egl_->report ? forward_problem : nullptr, &egl_->report);
+}
+
+bool hardware_is_present()
+{
+    for (const char* file : {"/dev/nvidiactl", "/dev/dri", "/dev/dxg"})
+        if (std::error_code ignored; std::filesystem::exists(file, ignored))
+            return true;
+    return false;
 }
 
 void check_errors(const char* what)

@@ -35,6 +35,10 @@ private:
     DriverInfo info_;
 };
 
+/// Whether the machine shows a graphics card to this process, by its device files: without one, opening a context only to find the
+/// software renderer would cost a tenth of a second.
+bool hardware_is_present();
+
 /// Waits for all submitted work and throws what went wrong since the last call.
 /// @throws Error::Device with the first OpenGL error's name and `what` was going on.
 void check_errors(const char* what);

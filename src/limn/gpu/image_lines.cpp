@@ -1,12 +1,12 @@
 #include "limn/gpu/image_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <epoxy/gl.h>
 
 #include "limn/gpu/context.h"
-#include "limn/gpu/resources.h"
 
 namespace limn::gpu {
 namespace {
@@ -25,15 +25,12 @@ float limit_of(const ImageLineOptions& options)
 
 ImageLineFinder::ImageLineFinder() : program_(load_program({"image_lines.comp"})) {}
 
-Image ImageLineFinder::find(const LineFields& fields, const ImageLineOptions& options) const
+void ImageLineFinder::run(const DeviceFields& fields, const ImageLineOptions& options, const Buffer& found) const
 {
     check(options);
-    const std::size_t count = fields.intensity.size();
-    const Buffer inputs[] = {Buffer(fields.intensity), Buffer(fields.window_depth), Buffer(fields.nearness), Buffer(fields.normals), Buffer(fields.ids)};
-    for (unsigned binding = 0; binding < 5; ++binding)
-        inputs[binding].bind_storage(binding);
-    const Buffer found(count * sizeof(unsigned));
-    found.bind_storage(5);
+    const Buffer* inputs[] = {&fields.intensity, &fields.window_depth, &fields.nearness, &fields.normals, &fields.ids, &found};
+    for (unsigned binding = 0; binding < std::size(inputs); ++binding)
+        inputs[binding]->bind_storage(binding);
     program_.set("size", fields.size);
     program_.set("method", int(options.method));
     program_.set("limit", limit_of(options));
@@ -43,13 +40,23 @@ Image ImageLineFinder::find(const LineFields& fields, const ImageLineOptions& op
     program_.set("darker", options.darker);
     program_.use();
     glDispatchCompute(unsigned(fields.size.x + 15) / 16, unsigned(fields.size.y + 15) / 16, 1);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    const std::vector<unsigned> pixels = found.read<unsigned>(count);
-    check_errors("finding lines in a picture");
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+Image ImageLineFinder::find(const DeviceFields& fields, const ImageLineOptions& options) const
+{
     Image lines(fields.size, 1);
-    for (std::size_t i = 0; i < count; ++i)
-        lines.samples[i] = float(pixels[i]);
+    const Buffer found(lines.samples.size() * sizeof(unsigned));
+    run(fields, options, found);
+    const std::vector<unsigned> pixels = found.read<unsigned>(lines.samples.size());
+    check_errors("finding lines in a picture");
+    std::copy(pixels.begin(), pixels.end(), lines.samples.begin());
     return lines;
+}
+
+Image ImageLineFinder::find(const LineFields& f, const ImageLineOptions& options) const
+{
+    return find(DeviceFields{f.size, f.orthographic, Buffer(f.intensity), Buffer(f.window_depth), Buffer(f.nearness), Buffer(f.normals), Buffer(f.ids)}, options);
 }
 
 } // namespace limn::gpu

@@ -3,8 +3,8 @@
 #include "limn/base/image.h"
 #include "limn/camera/camera.h"
 #include "limn/gpu/clip.h"
+#include "limn/gpu/model_buffers.h"
 #include "limn/gpu/program.h"
-#include "limn/gpu/resources.h"
 #include "limn/lines/line_model.h"
 #include "limn/raycast/shading.h"
 
@@ -23,13 +23,13 @@ public:
 private:
     /// Draws what is seen at one place in each pixel of a tile.
     void draw(const Framebuffer& picture, const Projector& projector, const Tile& tile, const dvec2& offset) const;
-    std::vector<vec4> draw_tile(const Projector& projector, const Tile& tile, int samples) const;
+    Image draw_tile(const Projector& projector, const Tile& tile, int samples) const;
 
     const LineModel& model_;
     int largest_tile_;
     Program surface_, backdrop_, gather_, resolve_;
-    Buffer positions_, normals_, faces_;
-    VertexArray array_, no_vertices_;
+    ModelBuffers buffers_;
+    VertexArray no_vertices_;
 };
 
 } // namespace limn::gpu

@@ -3,7 +3,6 @@
 #include <epoxy/gl.h>
 
 #include "limn/base/error.h"
-#include "limn/gpu/clip.h"
 #include "limn/gpu/context.h"
 
 namespace limn::gpu {
@@ -41,11 +40,11 @@ SurfaceRenderer::SurfaceRenderer(const LineModel& model)
     glVertexArrayElementBuffer(array_.id(), faces_.id());
 }
 
-SurfaceView SurfaceRenderer::render(const Camera& camera, const ShaderLineOptions& options) const
+SurfaceView SurfaceRenderer::render(const Camera& camera, const Tile& tile, const ShaderLineOptions& options) const
 {
     const Projector projector(model_, camera);
     const View view = model_.view(camera);
-    program_.set("to_clip", clip_matrix(projector, {ivec2(0), camera.size}));
+    program_.set("to_clip", clip_matrix(projector, tile));
     program_.set("eye", view.eye);
     program_.set("orthographic", int(view.orthographic));
     program_.set("pixels_per_unit", float(projector.scale));
@@ -53,7 +52,7 @@ SurfaceView SurfaceRenderer::render(const Camera& camera, const ShaderLineOption
     program_.set("suggestive_width", options.suggestive_width);
     program_.set("least_strength", options.least_strength());
     program_.set("naive", int(options.naive));
-    const Framebuffer picture(camera.size, {Format::rgba32f, Format::rgba32f, Format::r32ui});
+    const Framebuffer picture(tile.size, {Format::rgba32f, Format::rgba32f, Format::r32ui});
     picture.clear(0, vec4(0));
     picture.clear(1, vec4(0));
     picture.clear(2, 0u);
@@ -66,10 +65,18 @@ SurfaceView SurfaceRenderer::render(const Camera& camera, const ShaderLineOption
     glBindVertexArray(array_.id());
     glDrawElements(GL_TRIANGLES, GLsizei(3 * model_.faces.size()), GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
-    SurfaceView result = {camera.size, from_top(picture.read_floats(0), camera.size), from_top(picture.read_floats(1), camera.size),
-                          from_top(picture.read_unsigned(2), camera.size)};
+    SurfaceView result = {tile.size, from_top(picture.read_floats(0), tile.size), from_top(picture.read_floats(1), tile.size),
+                          from_top(picture.read_unsigned(2), tile.size)};
     check_errors("drawing a surface");
     return result;
+}
+
+Image draw_shader_lines(const SurfaceRenderer& renderer, const Camera& camera, const ShaderLineOptions& options, int largest_tile)
+{
+    Image ink(camera.size, 1);
+    for (const Tile& tile : tiles_of(camera.size, largest_tile))
+        copy_tile(ink, renderer.render(camera, tile, options).ink(), tile, tile);
+    return ink;
 }
 
 } // namespace limn::gpu

@@ -2,6 +2,7 @@
 
 #include "limn/base/image.h"
 #include "limn/camera/camera.h"
+#include "limn/gpu/clip.h"
 #include "limn/gpu/program.h"
 #include "limn/gpu/resources.h"
 #include "limn/lines/line_model.h"
@@ -24,7 +25,9 @@ public:
     /// @throws Error::Input for a model without them, Error::Device where it does not fit.
     explicit SurfaceRenderer(const LineModel& model);
     /// @throws Error::Device when the picture is larger than the device allows.
-    SurfaceView render(const Camera& camera, const ShaderLineOptions& options = {}) const;
+    SurfaceView render(const Camera& camera, const ShaderLineOptions& options = {}) const { return render(camera, {ivec2(0), camera.size}, options); }
+    /// A part of the picture.
+    SurfaceView render(const Camera& camera, const Tile& tile, const ShaderLineOptions& options) const;
 
 private:
     const LineModel& model_;
@@ -32,5 +35,9 @@ private:
     Buffer vertices_, faces_;
     VertexArray array_;
 };
+
+/// The ink of find_shader_lines on the device, in tiles where the picture is larger.
+/// @param largest_tile  pixels along an edge
+Image draw_shader_lines(const SurfaceRenderer& renderer, const Camera& camera, const ShaderLineOptions& options, int largest_tile = 2048);
 
 } // namespace limn::gpu

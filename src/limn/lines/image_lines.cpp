@@ -79,7 +79,7 @@ LineFields line_fields(const GBuffer& seen, const Camera& camera, const SeenScen
         // Of an orthographic view: between 1 and 3 for what lies in the sphere around the scene.
         fields.nearness[i] = float(camera.orthographic ? 2 - (depth - middle) / radius : 1 / depth);
         fields.normals[i] = vec4(seen.normals[i], 0);
-        fields.ids[i] = seen.objects[i] + 1;
+        fields.ids[i] = scene.part_of(seen.objects[i], seen.triangles[i]) + 1;
     });
     return fields;
 }

@@ -56,6 +56,7 @@ SeenScene seen_scene(const LineModel& model, const RayScene& rays)
     scene.objects = {{{{model.positions.data(), model.vertex_count()}, model.faces}, model.normals}};
     scene.centre = model.centre;
     scene.scale = model.scale;
+    scene.first_face = model.first_face;
     return scene;
 }
 

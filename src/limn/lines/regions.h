@@ -8,7 +8,7 @@
 
 namespace limn {
 
-/// What pictures of a line model need: shading (raycast/shading.h) and regions. The model and `rays` (build_ray_scene) must
+/// What pictures of a line model need: shading (raycast/shading.h) and regions. Its parts are the model's objects. The model and `rays` (build_ray_scene) must
 /// outlive it.
 SeenScene seen_scene(const LineModel& model, const RayScene& rays);
 

@@ -23,6 +23,13 @@ vec3 unit_or(const vec3& v, const vec3& otherwise)
 
 } // namespace
 
+std::uint32_t SeenScene::part_of(std::uint32_t object, std::uint32_t triangle) const
+{
+    if (first_face.empty())
+        return object;
+    return std::uint32_t(std::upper_bound(first_face.begin() + 1, first_face.end() - 1, triangle) - first_face.begin() - 1);
+}
+
 FragmentTracer::FragmentTracer(const SeenScene& scene, const Camera& camera)
     : scene_(scene), camera_(camera), forward_(camera.forward()), right_(camera.right()), above_(camera.above()),
       world_per_pixel_(1 / camera.pixels_per_unit(1)), radius_(radius_of(scene))

@@ -22,6 +22,13 @@ struct SeenScene {
     std::vector<SeenObject> objects;
     dvec3 centre = dvec3(0);
     double scale = 1;
+    /// Where the one object of `rays` holds several parts one after the other, as a LineModel does its objects: the first face
+    /// of each part, and the total. Empty: every object is a part of its own.
+    std::span<const std::uint32_t> first_face;
+
+    std::size_t part_count() const { return first_face.empty() ? objects.size() : first_face.size() - 1; }
+    /// The part that a face of an object belongs to.
+    std::uint32_t part_of(std::uint32_t object, std::uint32_t triangle) const;
 };
 
 /// What is seen at one place of a picture. Without a hit only `object` (none) has a meaning.

@@ -16,7 +16,7 @@ Ground ground_under(const SeenScene& scene, const dvec3& up)
     if (lowest == std::numeric_limits<double>::infinity())
         lowest = 0;
     // A little lower, so that a face that lies on the ground is seen.
-    return {.middle = scene.centre + scene.scale * (lowest - 1e-4) * up, .up = up, .radius = scene.scale};
+    return {.middle = scene.centre + scene.scale * (lowest - 1e-4) * up, .up = up, .radius = scene.scale, .material = {}};
 }
 
 GroundPlane::GroundPlane(const Ground& ground, const dvec3& centre, double scale)

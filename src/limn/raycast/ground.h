@@ -1,6 +1,7 @@
 #pragma once
 
 #include "limn/raycast/fragment.h"
+#include "limn/raycast/material.h"
 
 namespace limn {
 
@@ -9,8 +10,7 @@ struct Ground {
     dvec3 middle = dvec3(0);      ///< world: the place under the objects' middle
     dvec3 up = dvec3(0, 1, 0);    ///< unit
     double radius = 1;            ///< of the objects around their middle, world units
-    vec3 dark = vec3(0.25f);      ///< encoded (sRGB) colour where it is unlit
-    vec3 light = vec3(1);         ///< and fully lit
+    Material material;
 };
 
 /// The plane under the lowest point of a scene.

@@ -34,8 +34,17 @@ bool is_even(const Image& image, int x, int y)
     return true;
 }
 
+/// The encoded colours between which light mixes.
+struct Tones {
+    vec3 dark, light;
+    explicit Tones(const Material& material) : dark(material.dark()), light(material.colour) {}
+    Tones(const vec3& of_unlit, const vec3& of_lit) : dark(of_unlit), light(of_lit) {}
+    vec3 at(float tone) const { return glm::mix(dark, light, tone); }
+};
+
 /// The colour that is seen in a place of the picture.
 struct Shader {
+    const SeenScene& scene;
     const ShadeOptions& options;
     vec3 to_light; ///< zero: headlight
     std::optional<vec3> lamp; ///< in the frame of the scene
@@ -48,13 +57,19 @@ struct Shader {
         const vec3 towards = d != vec3(0) ? glm::normalize(d) : to_light != vec3(0) ? to_light : to_eye;
         return formulas::surface_tone(normal, to_eye, towards, options.toon_limit, options.shading == Shading::toon ? float(options.toon_levels) : 0.0f);
     }
+    Tones tones_of(const Fragment& fragment) const
+    {
+        if (options.materials.empty())
+            return {options.dark, options.light};
+        return Tones(options.materials[scene.part_of(fragment.object, fragment.triangle)]);
+    }
     vec3 backdrop(const dvec2& pixel) const
     {
         if (!plane)
             return options.background;
         const Camera::Ray line = tracer.sight(pixel);
         const GroundPlane::Point ground = plane->meet(line);
-        const vec3 colour = glm::mix(options.ground->dark, options.ground->light, tone(ground.position, plane->up(), -vec3(line.direction)));
+        const vec3 colour = Tones(options.ground->material).at(tone(ground.position, plane->up(), -vec3(line.direction)));
         return glm::mix(options.background, colour, ground.cover);
     }
     vec3 at(const dvec2& pixel) const
@@ -63,13 +78,13 @@ struct Shader {
         if (!fragment.hit())
             return backdrop(pixel);
         const vec3& normal = options.shading == Shading::flat ? fragment.face_normal : fragment.normal;
-        return glm::mix(options.dark, options.light, tone(fragment.position, normal, fragment.to_eye));
+        return tones_of(fragment).at(tone(fragment.position, normal, fragment.to_eye));
     }
 };
 
 } // namespace
 
-void check(const ShadeOptions& options)
+void check(const ShadeOptions& options, std::size_t parts)
 {
     if (options.toon_levels < 2 || options.toon_levels > 16)
         throw Error::Input(fmt::format("{} toon levels are outside 2..16", options.toon_levels));
@@ -81,6 +96,8 @@ void check(const ShadeOptions& options)
         throw Error::Input("the light has no direction");
     if (options.to_light && options.lamp)
         throw Error::Input("a distant light and a lamp were both asked for; give one");
+    if (!options.materials.empty() && options.materials.size() != parts)
+        throw Error::Input(fmt::format("{} materials do not fit {} objects", options.materials.size(), parts));
 }
 
 float diffuse_value(const Fragment& fragment, const vec3& normal, const vec3& to_light)
@@ -91,11 +108,11 @@ float diffuse_value(const Fragment& fragment, const vec3& normal, const vec3& to
 
 Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& options)
 {
-    check(options);
+    check(options, scene.part_count());
     const vec3 to_light = options.to_light ? vec3(glm::normalize(*options.to_light)) : vec3(0);
     const std::optional<vec3> lamp = options.lamp ? std::optional(vec3((*options.lamp - scene.centre) / scene.scale)) : std::nullopt;
     const std::optional<GroundPlane> plane = options.ground ? std::optional(GroundPlane(*options.ground, scene.centre, scene.scale)) : std::nullopt;
-    const Shader shader = {options, to_light, lamp, plane, FragmentTracer(scene, camera)};
+    const Shader shader = {scene, options, to_light, lamp, plane, FragmentTracer(scene, camera)};
     Image centres(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t y) {
         for (int x = 0; x < camera.size.x; ++x)

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "limn/base/image.h"
 #include "limn/raycast/ground.h"
+#include "limn/raycast/material.h"
 
 namespace limn {
 
@@ -22,6 +24,7 @@ struct ShadeOptions {
     float toon_limit = 0.3f;       ///< diffuse value below which toon shading is dark, in (0,1)
     vec3 dark = vec3(0.25f);       ///< encoded (sRGB) colour of unlit places
     vec3 light = vec3(1);          ///< of fully lit ones
+    std::vector<Material> materials; ///< one for each part of the scene (SeenScene::part_of), instead of `dark` and `light`; empty: all are alike
     vec3 background = vec3(1);
     std::optional<Ground> ground;  ///< lit as the objects are
     int samples = 16;              ///< rays of a pixel on an edge, 1..256
@@ -30,11 +33,13 @@ struct ShadeOptions {
 /// The shaded picture, RGB, of the camera's size. Anti-aliased with a box filter: one ray at each pixel's centre, and
 /// `samples` rays where one of the eight pixels around has another colour; what is narrower than a pixel may be missed where it
 /// hits no centre. Multi-threaded; same bytes for any number of threads.
-/// @throws Error::Input for a number out of range, a light without direction, and both kinds of light at once.
+/// @throws Error::Input for a number out of range, a light without direction, both kinds of light at once, and materials for
+///         another number of parts than the scene has.
 Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& options = {});
 
+/// @param parts  of the scene
 /// @throws Error::Input as shade().
-void check(const ShadeOptions& options);
+void check(const ShadeOptions& options, std::size_t parts);
 
 /// Diffuse value of a fragment in [0,1]: Lambert's law for the side that is seen.
 /// @param to_light  unit; zero for a headlight

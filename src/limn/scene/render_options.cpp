@@ -45,6 +45,8 @@ OptionRow<O> colour_row(std::string name, std::string help, vec3 O::*member)
 
 } // namespace
 
+Material default_material(const RenderOptions& options) { return {options.colour, options.shade}; }
+
 ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene, const dvec3& up)
 {
     ShadeOptions result;
@@ -53,14 +55,13 @@ ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene,
     result.lamp = options.lamp;
     result.toon_levels = options.toon_levels;
     result.toon_limit = options.toon_limit;
-    result.dark = options.shade * options.colour;
+    result.dark = default_material(options).dark();
     result.light = options.colour;
     result.background = options.background;
     result.samples = options.samples;
     if (options.ground) {
         result.ground = ground_under(scene, up);
-        result.ground->dark = options.shade * options.ground_colour;
-        result.ground->light = options.ground_colour;
+        result.ground->material = {options.ground_colour, options.shade};
     }
     return result;
 }

@@ -12,8 +12,8 @@ struct RenderOptions {
     Shading shading = Shading::smooth;
     std::optional<dvec3> light; ///< world direction towards a distant light; absent: a headlight at the eye
     std::optional<dvec3> lamp;  ///< world position of a point light, instead of either
-    vec3 colour = vec3(0.85f, 0.83f, 0.8f); ///< of fully lit places
-    float shade = 0.25f;        ///< tone of unlit places, as a part of the colour
+    vec3 colour = Material().colour; ///< of fully lit places
+    float shade = Material().unlit;  ///< tone of unlit places, as a part of the colour
     vec3 background = vec3(1);
     bool ground = false;        ///< a level plane under everything
     vec3 ground_colour = vec3(0.92f, 0.91f, 0.88f); ///< of it where it is fully lit
@@ -22,6 +22,9 @@ struct RenderOptions {
     int samples = 16;           ///< rays of a pixel on an edge
     int bits = 8;               ///< of a PNG's samples
 };
+
+/// What an object looks like that has no material of its own.
+Material default_material(const RenderOptions& options);
 
 /// @param up  of the world, unit; for the ground
 ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene, const dvec3& up);

@@ -1,0 +1,132 @@
+#include "pixel_painter.h"
+
+#include "limn/base/error.h"
+#include "limn/gpu/field_view.h"
+#include "limn/gpu/lit_view.h"
+#include "limn/gpu/surface_view.h"
+
+using namespace limn;
+
+namespace {
+
+/// Lines are found at so many times the picture's size and averaged, so that they are not jagged.
+constexpr int finer = 2;
+
+Camera finer_camera(Camera camera)
+{
+    camera.size = finer * camera.size;
+    return camera;
+}
+
+ShaderLineOptions finer_lines(ShaderLineOptions options)
+{
+    options.contour_width *= float(finer);
+    options.suggestive_width *= float(finer);
+    return options;
+}
+
+void lay_over(Image& picture, const Image& lines, const vec3& colour)
+{
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            float cover = 0;
+            for (int k = 0; k < finer * finer; ++k)
+                cover += *lines.at(finer * x + k % finer, finer * y + k / finer) / float(finer * finer);
+            for (int c = 0; c < 3; ++c)
+                picture.at(x, y)[c] = glm::mix(picture.at(x, y)[c], colour[c], cover);
+        }
+}
+
+Image lit_on_processor(const SeenModel& model, const Camera& camera, const PixelOptions& options) { return shade(model.scene, camera, options.shade); }
+
+Image filtered_on_processor(const SeenModel& model, const Camera& camera, const PixelOptions& options)
+{
+    return find_image_lines(line_fields(trace_gbuffer(model.scene, camera), camera, model.scene, model.scene.scale), options.image_lines);
+}
+
+Image shader_lines_on_processor(const SeenModel& model, const Camera& camera, const ShaderLineOptions& options)
+{
+    return find_shader_lines(model.lines, trace_gbuffer(model.scene, camera), camera, options);
+}
+
+} // namespace
+
+/// What the device keeps of a model, made when it is first needed.
+struct PixelPainter::OnGpu {
+    explicit OnGpu(const LineModel& of) : model(of) {}
+    const LineModel& model;
+    std::optional<gpu::LitRenderer> lit;
+    std::optional<gpu::FieldRenderer> fields;
+    std::optional<gpu::ImageLineFinder> finder;
+    std::optional<gpu::SurfaceRenderer> surface;
+
+    Image shaded(const Camera& camera, const PixelOptions& options)
+    {
+        if (!lit)
+            lit.emplace(model);
+        return lit->render(camera, options.shade);
+    }
+    Image filtered(const Camera& camera, const PixelOptions& options)
+    {
+        if (!fields) {
+            fields.emplace(model);
+            finder.emplace();
+        }
+        return gpu::draw_image_lines(*fields, *finder, camera, options.image_lines);
+    }
+    Image shader_lines(const Camera& camera, const ShaderLineOptions& options)
+    {
+        if (!surface)
+            surface.emplace(model);
+        return gpu::draw_shader_lines(*surface, camera, options);
+    }
+};
+
+PixelPainter::PixelPainter(const std::string& device, Say say) : say_(std::move(say))
+{
+    may_fall_back_ = device == "auto";
+    if (device == "cpu" || (device == "auto" && !gpu::hardware_is_present()))
+        return;
+    try {
+        context_.emplace();
+        if (device == "auto" && context_->info().software)
+            context_.reset(); // the processor is faster without its detour
+    } catch (const Error::Device& error) {
+        if (!may_fall_back_)
+            throw;
+        say_(std::string(error.what()) + "; the processor is used");
+    }
+}
+
+PixelPainter::~PixelPainter() = default;
+
+std::string PixelPainter::device() const { return context_ ? context_->info().renderer : "processor"; }
+
+Image PixelPainter::paint(const SeenModel& model, const Camera& camera, const PixelOptions& options)
+{
+    try {
+        return paint_once(model, camera, options);
+    } catch (const Error::Device& error) {
+        if (!context_ || !may_fall_back_)
+            throw;
+        say_(std::string(error.what()) + "; the processor is used from here on");
+        on_gpu_.reset();
+        context_.reset();
+        return paint_once(model, camera, options);
+    }
+}
+
+Image PixelPainter::paint_once(const SeenModel& model, const Camera& camera, const PixelOptions& options)
+{
+    if (context_ && (!on_gpu_ || &on_gpu_->model != &model.lines))
+        on_gpu_ = std::make_unique<OnGpu>(model.lines);
+    Image picture = context_ ? on_gpu_->shaded(camera, options) : lit_on_processor(model, camera, options);
+    const Camera fine = finer_camera(camera);
+    if (options.image_lines.method != ImageMethod::off)
+        lay_over(picture, context_ ? on_gpu_->filtered(fine, options) : filtered_on_processor(model, fine, options), options.ink);
+    if (options.shader_lines) {
+        const ShaderLineOptions lines = finer_lines(*options.shader_lines);
+        lay_over(picture, context_ ? on_gpu_->shader_lines(fine, lines) : shader_lines_on_processor(model, fine, lines), options.ink);
+    }
+    return picture;
+}
