@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "bench_lines.h"
+#include "bench_render.h"
+#include "benchmark.h"
 #include "common.h"
 #include "console.h"
 #include "limn/base/error.h"
@@ -20,16 +22,36 @@ namespace {
 
 constexpr const char* examples = R"(Examples:
   limn bench lines                                    all tables, to standard output
-  limn bench lines --sizes 20k,2M -o bench.md         replaces the section 'lines' of the file)";
+  limn bench lines --sizes 20k,2M -o bench.md         replaces the section 'lines' of the file
+  limn bench render -o bench.md                       pictures and lines per pixel, beside a published study)";
+
+constexpr Benchmark benchmarks[] = {{"lines", bench_lines}, {"render", bench_render}};
 
 const std::vector<std::string> formats = {"md", "json"};
 
 struct BenchCommand {
     CommonOptions common;
     std::string what;
-    std::vector<std::string> sizes = {"20k", "100k", "500k", "1M", "2M"};
-    LineBench lines;
+    std::vector<std::string> sizes;
+    BenchRequest request;
 };
+
+std::string names()
+{
+    std::string all;
+    for (const Benchmark& benchmark : benchmarks)
+        all += fmt::format("{}{}", all.empty() ? "" : ", ", benchmark.name);
+    return all;
+}
+
+/// @throws Error::Input naming those that there are.
+const Benchmark& find_benchmark(const std::string& name)
+{
+    for (const Benchmark& benchmark : benchmarks)
+        if (benchmark.name == name)
+            return benchmark;
+    throw Error::Input(fmt::format("there is no benchmark '{}'; the benchmarks are: {}", name, names()));
+}
 
 /// "20k", "1.5M", "3000".
 std::size_t parse_size(const std::string& text)
@@ -46,40 +68,35 @@ std::size_t parse_size(const std::string& text)
     return std::size_t(value);
 }
 
-void write_output(const BenchCommand& command, const Output& output, const std::vector<LineMeasures>& measures)
+void write_output(const std::string& name, const Output& output, const BenchResult& result)
 {
     if (output.format == "json") {
-        write_file(output.path, bench_json(command.lines, measures));
-        return;
+        write_file(output.path, result.json);
+    } else if (output.path == "-") {
+        write_file("-", result.text);
+    } else {
+        const std::string before = std::filesystem::exists(output.path) ? read_file(output.path) : "";
+        write_file(output.path, with_section(before, name, result.text));
     }
-    const std::string text = bench_text(command.lines, measures);
-    if (output.path == "-") {
-        write_file("-", text);
-        return;
-    }
-    const std::string before = std::filesystem::exists(output.path) ? read_file(output.path) : "";
-    write_file(output.path, with_section(before, command.what, text));
 }
 
 void run(BenchCommand& command)
 {
-    if (command.what != "lines")
-        throw Error::Input(fmt::format("there is no benchmark '{}'; the benchmarks are: lines", command.what));
-    command.lines.sizes.clear();
+    const Benchmark& benchmark = find_benchmark(command.what);
     for (const std::string& size : command.sizes)
-        command.lines.sizes.push_back(parse_size(size));
+        command.request.sizes.push_back(parse_size(size));
     std::vector<Output> outputs = checked_outputs(command.common, formats);
     if (outputs.empty() && !command.common.json)
         outputs.push_back({"-", "md"});
     check_cpu_only(command.common, "bench");
     const Stopwatch watch;
     Console console(command.common.quiet);
-    const std::vector<LineMeasures> measures = bench_lines(command.lines, console);
+    const BenchResult result = benchmark.run(command.request, console);
     for (const Output& output : outputs)
-        write_output(command, output, measures);
+        write_output(benchmark.name, output, result);
     if (command.common.json)
-        write_file("-", bench_json(command.lines, measures));
-    console.finish(fmt::format("measured {}: {}, {}", command.what, counted(measures.size(), "model"), seconds_text(watch.total())));
+        write_file("-", result.json);
+    console.finish(fmt::format("measured {}: {}, {}", benchmark.name, result.what, seconds_text(watch.total())));
 }
 
 } // namespace
@@ -89,10 +106,14 @@ Subcommand add_bench(CLI::App& limn)
     auto command = std::make_shared<BenchCommand>();
     CLI::App* app = limn.add_subcommand("bench", "Measure how fast things are, as tables");
     app->footer(examples);
-    app->add_option("WHAT", command->what, "lines")->required();
-    app->add_option("--sizes", command->sizes, "numbers of triangles (default 20k,100k,500k,1M,2M)")->delimiter(',')->type_name("N,N,...");
-    app->add_option("--models", command->lines.models, "shapes of 'limn sample' (default torus,blob)")->delimiter(',')->type_name("NAME,...");
-    app->add_option("--views", command->lines.views, "views to take medians over (default 21)")->check(CLI::Range(1, 10000))->type_name("N");
+    BenchRequest& request = command->request;
+    app->add_option("WHAT", command->what, names())->required();
+    app->add_option("--sizes", command->sizes, "numbers of triangles (lines: default 20k,100k,500k,1M,2M; render: those of the study)")->delimiter(',')->type_name("N,N,...");
+    app->add_option("--models", request.models, "shapes of 'limn sample' (lines: default torus,blob; render: blob)")->delimiter(',')->type_name("NAME,...");
+    app->add_option("--views", request.views, "views to take medians over (lines: default 21; render: 12 about each axis)")->check(CLI::Range(1, 10000))->type_name("N");
+    app->add_option("--edges", request.edges, "render: sizes of square pictures, pixels (default 512,1024,2048,4096)")->delimiter(',')->check(CLI::Range(16, 16384))->type_name("N,N,...");
+    app->add_option("--runs", request.runs, "render: runs of whole processes (default 7; 0: none)")->check(CLI::Range(0, 1000))->type_name("N");
+    app->add_flag("--full", request.full, "render: turn for 10 seconds about each axis, ten times, as the study did");
     add_common_options(*app, command->common,
                        "file to write: md, whose section is replaced, or json; may be given several times (default: standard output)");
     return {app, [command] { with_threads(command->common.threads, [&] { run(*command); }); }};

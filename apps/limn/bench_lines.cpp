@@ -26,6 +26,29 @@ using namespace limn;
 
 namespace {
 
+struct LineBench {
+    std::vector<std::size_t> sizes;
+    std::vector<std::string> models;
+    int views = 0;
+};
+
+LineBench bench_of(const BenchRequest& request)
+{
+    LineBench bench = {request.sizes, request.models, request.views > 0 ? request.views : 21};
+    if (bench.sizes.empty())
+        bench.sizes = {20000, 100000, 500000, 1000000, 2000000};
+    if (bench.models.empty())
+        bench.models = {"torus", "blob"};
+    return bench;
+}
+
+/// What was measured of one model.
+struct LineMeasures {
+    std::string model;
+    MarkdownTable extraction, views, runs;
+    std::string exponents; ///< a sentence, or ""
+};
+
 /// A generated model with all that its views need.
 struct Subject {
     std::string name;
@@ -240,28 +263,6 @@ private:
     MarkdownTable runs_{{"triangles", "read", "surface", "merge", "rays", "draw", "write", "total", "PLY B", "STL B", "OBJ B"}};
 };
 
-nlohmann::ordered_json json_of(const MarkdownTable& table)
-{
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (std::size_t r = 1; r < table.rows().size(); ++r) {
-        nlohmann::ordered_json& row = rows.emplace_back(nlohmann::ordered_json::object());
-        for (std::size_t k = 0; k < table.rows()[r].size(); ++k)
-            row[table.rows()[0][k]] = table.rows()[r][k];
-    }
-    return rows;
-}
-
-} // namespace
-
-std::vector<LineMeasures> bench_lines(const LineBench& bench, Console& console)
-{
-    std::vector<LineMeasures> measures;
-    const double share = 1 / double(bench.models.size());
-    for (const std::string& model : bench.models)
-        measures.push_back(Ladder(model, bench, console).climb(share * double(measures.size()), share));
-    return measures;
-}
-
 std::string bench_text(const LineBench& bench, const std::vector<LineMeasures>& measures)
 {
     std::string out = fmt::format("## Lines\n\n`limn bench lines`, version {}, {}, {} threads. Shapes of `limn sample` without jitter; jets of double positions. "
@@ -294,4 +295,16 @@ std::string bench_json(const LineBench& bench, const std::vector<LineMeasures>& 
         json["models"].push_back(
             {{"model", m.model}, {"extraction_ms", json_of(m.extraction)}, {"views_ms", json_of(m.views)}, {"runs_s", json_of(m.runs)}});
     return json.dump(2) + "\n";
+}
+
+} // namespace
+
+BenchResult bench_lines(const BenchRequest& request, Console& console)
+{
+    const LineBench bench = bench_of(request);
+    std::vector<LineMeasures> measures;
+    const double share = 1 / double(bench.models.size());
+    for (const std::string& model : bench.models)
+        measures.push_back(Ladder(model, bench, console).climb(share * double(measures.size()), share));
+    return {bench_text(bench, measures), bench_json(bench, measures), counted(measures.size(), "model")};
 }

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "console.h"
 #include "limn/base/error.h"
@@ -16,23 +15,11 @@
 #include "limn/lines/draw.h"
 #include "limn/lines/prepare.h"
 #include "limn/surface/shapes.h"
+#include "scratch_folder.h"
 
 using namespace limn;
 
 namespace {
-
-/// A folder of its own that goes with all it holds.
-class ScratchFolder {
-public:
-    ScratchFolder() : path_(std::filesystem::temp_directory_path() / fmt::format("limn-bench-{}", getpid())) { std::filesystem::create_directory(path_); }
-    ~ScratchFolder() { std::filesystem::remove_all(path_); }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_;
-};
 
 Mesh shape_of(const std::string& name, std::size_t triangles)
 {

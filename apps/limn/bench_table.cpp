@@ -25,6 +25,17 @@ std::string MarkdownTable::text() const
     return out;
 }
 
+nlohmann::ordered_json json_of(const MarkdownTable& table)
+{
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (std::size_t r = 1; r < table.rows().size(); ++r) {
+        nlohmann::ordered_json& row = rows.emplace_back(nlohmann::ordered_json::object());
+        for (std::size_t k = 0; k < table.rows()[r].size(); ++k)
+            row[table.rows()[0][k]] = table.rows()[r][k];
+    }
+    return rows;
+}
+
 double median(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());

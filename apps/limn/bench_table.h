@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 /// A table of text cells, written as markdown with columns of one width.
 class MarkdownTable {
 public:
@@ -14,6 +16,9 @@ public:
 private:
     std::vector<std::vector<std::string>> rows_; ///< the header first
 };
+
+/// A table as a list of rows, a member for each column; numbers as they stand in the text.
+nlohmann::ordered_json json_of(const MarkdownTable& table);
 
 /// The middle of some measurements; the mean of the two middle ones of an even number. At least one.
 double median(std::vector<double> values);

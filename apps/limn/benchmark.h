@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "console.h"
+
+/// What a benchmark is asked for. What is empty or 0 is the benchmark's own choice.
+struct BenchRequest {
+    std::vector<std::size_t> sizes;  ///< triangles, ascending
+    std::vector<std::string> models; ///< shapes of `limn sample`
+    int views = 0;
+    std::vector<int> edges;          ///< of square pictures, px
+    int runs = 7;                    ///< of whole processes; 0: none
+    bool full = false;               ///< the whole protocol of the publication that it repeats, however long that takes
+};
+
+/// What it measured.
+struct BenchResult {
+    std::string text; ///< a section of markdown, with its title
+    std::string json;
+    std::string what; ///< "2 models", for the last line of the run
+};
+
+/// One of the benchmarks that `limn bench` can do.
+struct Benchmark {
+    const char* name;
+    /// @throws limn::Error::Input for an unknown model, limn::Error::Device for a GPU that it needs and cannot have.
+    BenchResult (*run)(const BenchRequest& request, Console& console);
+};

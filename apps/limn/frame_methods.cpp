@@ -1,0 +1,137 @@
+#include "frame_methods.h"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "console.h"
+#include "limn/gpu/field_view.h"
+#include "limn/gpu/lit_view.h"
+#include "limn/lines/regions.h"
+
+using namespace limn;
+
+namespace {
+
+Shape shape_of(const std::string& name, std::size_t triangles) { return make_shape({.name = name, .triangles = triangles}); }
+
+LineModel model_of(const Shape& shape)
+{
+    const PlacedSurface placed = {&shape.mesh, &shape.exact};
+    return build_line_model({&placed, 1});
+}
+
+double finished(Stopwatch& watch)
+{
+    glFinish();
+    return 1e3 * watch.lap();
+}
+
+/// Object space on the processor: strokes with hidden lines removed.
+FrameMethod strokes(const FrameSubject& subject, std::string name, std::vector<LineType> types, std::array<int, 5> study)
+{
+    LineOptions options;
+    options.lines = std::move(types);
+    auto features = std::make_shared<LineFeatures>(find_line_features(subject.model, options, 1000));
+    auto history = std::make_shared<ClusterHistory>();
+    auto frame = [&subject, options, features, history](const Camera& camera) {
+        DrawReport report;
+        draw_lines(subject.model, subject.rays, *features, camera, options, &report, history.get());
+        return StageTimes{1e3 * report.extract_seconds, 1e3 * report.visibility_seconds, 1e3 * report.chain_seconds};
+    };
+    return {std::move(name), {"extract", "visibility", "strokes"}, false, study, frame};
+}
+
+/// Lines found in a picture, on the GPU.
+FrameMethod filter(std::shared_ptr<gpu::FieldRenderer> renderer, std::string name, const ImageLineOptions& options, std::array<int, 5> study)
+{
+    auto finder = std::make_shared<gpu::ImageLineFinder>();
+    auto found = std::make_shared<gpu::Buffer>();
+    auto frame = [=](const Camera& camera) {
+        const std::size_t bytes = std::size_t(camera.size.x) * std::size_t(camera.size.y) * sizeof(unsigned);
+        if (found->bytes() != bytes)
+            *found = gpu::Buffer(bytes);
+        Stopwatch watch;
+        const gpu::DeviceFields& fields = renderer->fields(camera, {ivec2(0), camera.size});
+        StageTimes times = {finished(watch)};
+        finder->run(fields, options, *found);
+        times.push_back(finished(watch));
+        return times;
+    };
+    return {std::move(name), {"model", "filter"}, true, study, frame};
+}
+
+FrameMethod lit_on_gpu(const FrameSubject& subject)
+{
+    auto renderer = std::make_shared<gpu::LitRenderer>(subject.model, 1 << 14);
+    auto frame = [renderer](const Camera& camera) {
+        Stopwatch watch;
+        renderer->render(camera);
+        return StageTimes{finished(watch)};
+    };
+    return {"lit picture, 16 samples on edges, GPU, read back", {"picture"}, true, {}, frame};
+}
+
+FrameMethod lit_on_processor(const FrameSubject& subject)
+{
+    auto frame = [&subject](const Camera& camera) {
+        Stopwatch watch;
+        shade(seen_scene(subject.model, subject.rays), camera);
+        return StageTimes{1e3 * watch.lap()};
+    };
+    return {"lit picture, 16 samples on edges, processor", {"picture"}, true, {}, frame};
+}
+
+} // namespace
+
+FrameSubject::FrameSubject(const Shape& shape) : bounds(shape.mesh.bounds()), model(model_of(shape)), rays(build_ray_scene(model)) {}
+FrameSubject::FrameSubject(const std::string& name, std::size_t triangles) : FrameSubject(shape_of(name, triangles)) {}
+
+std::vector<FrameMethod> frame_methods(const FrameSubject& subject)
+{
+    std::vector<FrameMethod> methods;
+    methods.push_back(strokes(subject, "M1 + M3, strokes, processor", {LineType::contour, LineType::suggestive}, {65, 27, 16, 5, 3}));
+    methods.push_back(strokes(subject, "M1 + M3 + M4, strokes, processor", {LineType::contour, LineType::suggestive, LineType::highlight}, {62, 24, 13, 4, 2}));
+    const auto fields = std::make_shared<gpu::FieldRenderer>(subject.model);
+    ImageLineOptions options;
+    options.method = ImageMethod::threshold;
+    methods.push_back(filter(fields, "M8 threshold", options, {126, 104, 74, 22, 31}));
+    options.method = ImageMethod::depth_raw;
+    methods.push_back(filter(fields, "M9 Sobel on depth", options, {135, 113, 81, 25, 34}));
+    options.method = ImageMethod::depth;
+    methods.push_back(filter(fields, "M9 linear, normals, ids", options, {}));
+    const std::array<int, 5> valleys[] = {{81, 65, 50, 22, 29}, {75, 61, 45, 21, 28}, {61, 56, 43, 20, 26}, {45, 40, 36, 18, 22}};
+    for (int k = 0; k < 4; ++k) {
+        options.method = ImageMethod::valley_printed;
+        options.radius = std::array{2, 3, 5, 10}[std::size_t(k)];
+        methods.push_back(filter(fields, fmt::format("M10 valleys, r = {}", options.radius), options, valleys[k]));
+    }
+    methods.push_back(lit_on_gpu(subject));
+    methods.push_back(lit_on_processor(subject));
+    return methods;
+}
+
+std::vector<Camera> turning_cameras(const Bounds& bounds, int pixels, int steps)
+{
+    const dvec3 centre = bounds.centre(), half = 0.5 * (bounds.high - bounds.low);
+    Camera front;
+    front.size = ivec2(pixels);
+    const double distance = half.z + std::max(half.x, half.y) / std::tan(0.5 * front.fov_degrees * std::numbers::pi / 180);
+    std::vector<Camera> cameras;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int step = 0; step < steps; ++step) {
+            dvec3 about(0);
+            about[axis] = 1;
+            // The object turns one way where the camera goes the other.
+            const dmat4 turn = glm::rotate(dmat4(1), -2 * std::numbers::pi * step / steps, about);
+            Camera& camera = cameras.emplace_back(front);
+            camera.look = centre;
+            camera.eye = centre + dvec3(turn * dvec4(0, 0, distance, 0));
+            camera.up = dvec3(turn * dvec4(0, 1, 0, 0));
+        }
+    return cameras;
+}
