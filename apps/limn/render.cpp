@@ -28,7 +28,7 @@ constexpr const char* examples = R"(Examples:
   limn render bunny.ply -o bunny.png --lines contour,suggestive --shading toon --light 1,2,3
   limn render part.stl -o part.png --background '#ffffff' --view 30,20 --size 1280x720 --bits 16
   limn render vase.glb -o turn.png --turntable 24
-  limn render bunny.ply -o data.exr --pass ndotv,kr,dwkr,depth,normal,id --cameras cameras.json)";
+  limn render bunny.ply -o data.exr --pass ndotv,kr,dwkr,depth,normal,id,lines --lines contour --cameras cameras.json)";
 
 struct RenderCommand {
     PictureCommand pictures;
@@ -54,15 +54,16 @@ void write_image(const Image& image, const Output& output, int bits)
 }
 
 /// Writes each pass to a file of its own, and what their numbers mean to one more.
-std::vector<std::string> write_passes(const std::vector<Pass>& passes, const Camera& camera, const SeenModel& model, const Output& output)
+std::vector<std::string> write_passes(const std::vector<Pass>& passes, const Drawing& drawing, const Style& style, const SeenModel& model, const Output& output)
 {
     if (passes.empty())
         return {};
     std::vector<std::string> written;
+    const Camera& camera = drawing.camera;
     nlohmann::ordered_json scales = {{"camera", nlohmann::ordered_json::parse(camera_to_json(camera))}, {"passes", nlohmann::ordered_json::object()}};
     const GBuffer seen = trace_gbuffer(model.scene, camera);
     for (const Pass pass : passes) {
-        const PassImage image = make_pass(model.lines, seen, camera, pass);
+        const PassImage image = pass == Pass::lines ? lines_pass(drawing, style) : make_pass(model.lines, seen, camera, pass);
         const bool whole = output.format == "png";
         written.push_back(beside(output.path, pass_name(pass), output.format));
         write_image(whole ? pass_for_whole_numbers(image) : image.values, {written.back(), output.format}, 16);
@@ -74,6 +75,18 @@ std::vector<std::string> write_passes(const std::vector<Pass>& passes, const Cam
     written.push_back(beside(output.path, "passes", "json"));
     write_file(written.back(), scales.dump(2) + "\n");
     return written;
+}
+
+/// The passes asked for; that of lines only where lines are drawn.
+/// @throws Error::Input for a pass that there is none of, and for lines that nobody draws.
+std::vector<Pass> passes_of(const RenderCommand& command)
+{
+    std::vector<Pass> passes = passes_from_text(command.passes);
+    if (!command.pictures.lines.lines.empty())
+        return passes;
+    if (std::erase(passes, Pass::lines) > 0 && command.passes != "all")
+        throw Error::Input("--pass lines: no lines are drawn; say which with --lines");
+    return passes;
 }
 
 void check_passes(const RenderCommand& command, const std::vector<Pass>& passes)
@@ -106,7 +119,7 @@ void run(RenderCommand& command)
     PictureCommand& pictures = command.pictures;
     if (!pictures.style.page.empty())
         throw Error::Input("--page: 'limn render' makes pictures, not pages; 'limn draw --shade smooth' writes pages");
-    const std::vector<Pass> passes = passes_from_text(command.passes);
+    const std::vector<Pass> passes = passes_of(command);
     check_passes(command, passes);
     pictures.need = pass_need(passes);
     if (command.shader_lines)
@@ -118,7 +131,7 @@ void run(RenderCommand& command)
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
         write_image(picture, output, command.render.bits);
         std::vector<std::string> written = {output.path};
-        for (std::string& name : write_passes(passes, drawing.camera, model, output))
+        for (std::string& name : write_passes(passes, drawing, pictures.style, model, output))
             written.push_back(std::move(name));
         return written;
     };
@@ -140,7 +153,7 @@ Subcommand add_render(CLI::App& limn)
     add_table_options(*app, image_line_option_table(), command->image_lines, "Lines per pixel");
     app->add_flag("--shader-lines", command->shader_lines, "contours and suggestive contours decided pixel by pixel from the surface, 2 px wide")
         ->group("Lines per pixel");
-    app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id (or all) to FILE-PASS, and their scales to FILE-passes.json")
+    app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id,lines (or all) to FILE-PASS, and their scales to FILE-passes.json")
         ->type_name("PASS,...")
         ->group("Shading");
     add_picture_options(*app, command->pictures, "file to write; may be given several times: png, exr; '-' is standard output");

@@ -68,7 +68,7 @@ TEST_F(Render, WritesPassesWithTheirScales)
     for (const std::string format : {"png", "exr"}) {
         render("-o " + path("data." + format) + " --pass all");
         const Json scales = Json::parse(read_text(path("data-passes.json")));
-        ASSERT_EQ(scales["passes"].size(), 9u);
+        ASSERT_EQ(scales["passes"].size(), 9u); // no lines are drawn
         for (const auto& [name, scale] : scales["passes"].items()) {
             EXPECT_EQ(scale["file"], "data-" + name + "." + format);
             EXPECT_TRUE(std::filesystem::exists(path(scale["file"]))) << name;
@@ -78,6 +78,42 @@ TEST_F(Render, WritesPassesWithTheirScales)
         EXPECT_EQ(scales["camera"]["size"], Json::array({160, 120}));
     }
     EXPECT_EQ(read_text(path("data-normal.png"))[24], 16);
+}
+
+TEST_F(Render, WritesTheLinesAsAPassOfTheirOwn)
+{
+    render("-o " + path("l.png") + " --lines contour --pass lines --background '#000000' --surface-colour '#000000'");
+    const Json scales = Json::parse(read_text(path("l-passes.json")));
+    EXPECT_EQ(scales["passes"]["lines"]["low"], 0);
+    EXPECT_EQ(scales["passes"]["lines"]["high"], 1);
+    render("-o " + path("white.png") + " --lines contour --background '#ffffff' --surface-colour '#ffffff' --unlit 1");
+    const Image lines = picture("l-lines.png"), white = picture("white.png");
+    std::size_t inked = 0;
+    for (int y = 0; y < lines.height; ++y)
+        for (int x = 0; x < lines.width; ++x) {
+            const float cover = (lines.at(x, y)[0] * 65535 - 1) / 65534;
+            inked += cover > 0.5f;
+            ASSERT_NEAR(cover, 1 - white.at(x, y)[0], 2.0f / 255) << x << "," << y;
+        }
+    EXPECT_GT(inked, 200u);
+}
+
+// Faces at NaN vertices are dropped when the file is read; the rest is a picture, and the warning counts them.
+TEST_F(Render, DrawsWhatIsLeftOfAModelWithNan)
+{
+    write_text(path("nan.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 1 0\nf 1 2 3\nf 2 4 3\n");
+    for (const std::string device : {"cpu", "gpu"}) {
+        const ProgramResult result = limn("render " + path("nan.obj") + " --size 80x60 --view front --device " + device + " -o " + path("nan-" + device + ".png"));
+        if (result.errors.find("no GPU driver") != std::string::npos)
+            continue;
+        ASSERT_EQ(result.exit_code, 0) << result.errors;
+        EXPECT_NE(result.errors.find("NaN"), std::string::npos) << result.errors;
+        const Image image = picture("nan-" + device + ".png");
+        std::size_t shown = 0;
+        for (const float sample : image.samples)
+            shown += sample < 0.95f;
+        EXPECT_GT(shown, 300u) << device;
+    }
 }
 
 TEST_F(Render, MakesAPictureForEachCameraOfAList)
@@ -123,6 +159,7 @@ TEST_F(Render, RefusesWhatContradictsItself)
     refused("-o " + path("a.png") + " --light 1,2,3 --lamp 4,5,6", "light");
     refused("-o " + path("a.png") + " --pass cheese", "cheese");
     refused("-o - --to png --pass kr", "--pass");
+    refused("-o " + path("a.png") + " --pass kr,lines", "--lines");
     refused("-o " + path("a.png") + " --page A4", "--page");
     refused("-o " + path("a.svg"), "svg");
     refused("-o " + path("a.png") + " --view front --view top --pass kr", "--view");

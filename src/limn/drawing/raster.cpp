@@ -60,6 +60,22 @@ Image rasterise(const Painting& painting, double density)
     return image_of(surface.get());
 }
 
+/// A drawing without its background over two papers: over black the ink shows its colour times its cover; over white what is left of the white
+/// says how much it covers.
+struct OverBoth {
+    Image on_black, on_white;
+};
+
+OverBoth over_both(Drawing drawing, Style style)
+{
+    drawing.background = {};
+    style.page = {};
+    style.paper = vec3(0);
+    const Image on_black = rasterise(compose(drawing, style), 1);
+    style.paper = vec3(1);
+    return {on_black, rasterise(compose(drawing, style), 1)};
+}
+
 } // namespace
 
 Image rasterise(const Drawing& drawing, const Style& style, double density) { return rasterise(compose(drawing, style), density); }
@@ -69,19 +85,20 @@ Image lay_over(const Image& picture, const Drawing& drawing, const Style& style)
     if (picture.channels != 3 || picture.size() != drawing.camera.size)
         throw Error::Input(fmt::format("a picture of {} x {} with {} channels does not lie under a drawing of {} x {}", picture.width, picture.height,
                                        picture.channels, drawing.camera.size.x, drawing.camera.size.y));
-    Drawing lines = drawing;
-    lines.background = {};
-    Style ink = style;
-    ink.page = {};
-    // Over black the ink shows its colour times its cover; over white what is left of the white says how much it covers.
-    ink.paper = vec3(0);
-    const Image on_black = rasterise(lines, ink);
-    ink.paper = vec3(1);
-    const Image on_white = rasterise(lines, ink);
+    const OverBoth ink = over_both(drawing, style);
     Image result = picture;
     for (std::size_t i = 0; i < result.samples.size(); ++i)
-        result.samples[i] = on_black.samples[i] + (on_white.samples[i] - on_black.samples[i]) * picture.samples[i];
+        result.samples[i] = ink.on_black.samples[i] + (ink.on_white.samples[i] - ink.on_black.samples[i]) * picture.samples[i];
     return result;
+}
+
+Image ink_cover(const Drawing& drawing, const Style& style)
+{
+    const OverBoth ink = over_both(drawing, style);
+    Image cover(ink.on_black.size(), 1);
+    for (std::size_t i = 0; i < cover.samples.size(); ++i)
+        cover.samples[i] = 1 - (ink.on_white.samples[3 * i] - ink.on_black.samples[3 * i]);
+    return cover;
 }
 
 std::string to_png(const Drawing& drawing, const Style& style)

@@ -15,7 +15,10 @@ Image rasterise(const Drawing& drawing, const Style& style = {}, double density 
 /// @throws Error::Input when the picture has another size or is not RGB.
 Image lay_over(const Image& picture, const Drawing& drawing, const Style& style = {});
 
-/// The same as an 8-bit PNG that states its resolution. @throws Error::Write
+/// How much of each pixel the lines, areas and captions of a drawing cover, in [0,1] in steps of 1/255; one channel of the camera's size.
+Image ink_cover(const Drawing& drawing, const Style& style = {});
+
+/// rasterise() as an 8-bit PNG that states its resolution. @throws Error::Write
 void write_drawing_png(const Drawing& drawing, const std::filesystem::path& path, const Style& style = {});
 std::string to_png(const Drawing& drawing, const Style& style = {});
 

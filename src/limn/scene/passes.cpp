@@ -9,6 +9,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/drawing/raster.h"
 #include "limn/formulas/formulas.h"
 #include "limn/lines/face_point.h"
 
@@ -22,7 +23,7 @@ struct PassFacts {
     int channels;
 };
 
-constexpr std::array<PassFacts, 9> all_passes = {{
+constexpr std::array<PassFacts, 10> all_passes = {{
     {Pass::ndotv, "ndotv", "", Need::normals, 1},
     {Pass::kr, "kr", "1/length", Need::curvature, 1},
     {Pass::dwkr, "dwkr", "1/length^2", Need::derivative, 1},
@@ -32,6 +33,7 @@ constexpr std::array<PassFacts, 9> all_passes = {{
     {Pass::normal, "normal", "", Need::normals, 3},
     {Pass::position, "position", "length", Need::normals, 3},
     {Pass::id, "id", "", Need::normals, 1},
+    {Pass::lines, "lines", "", Need::normals, 1},
 }};
 
 const PassFacts& facts(Pass pass) { return all_passes[std::size_t(pass)]; }
@@ -125,6 +127,14 @@ Need pass_need(std::span<const Pass> passes)
     for (const Pass pass : passes)
         need = std::max(need, facts(pass).need);
     return need;
+}
+
+PassImage lines_pass(const Drawing& drawing, const Style& style)
+{
+    Drawing strokes = drawing;
+    strokes.regions.clear();
+    strokes.captions.clear();
+    return {Pass::lines, ink_cover(strokes, style), 0, 1};
 }
 
 PassImage make_pass(const LineModel& model, const GBuffer& seen, const Camera& camera, Pass pass)

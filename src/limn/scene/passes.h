@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "limn/base/image.h"
+#include "limn/drawing/drawing.h"
+#include "limn/drawing/style.h"
 #include "limn/lines/line_model.h"
 #include "limn/raycast/gbuffer.h"
 
@@ -21,6 +23,7 @@ enum class Pass : std::uint8_t {
     normal,   ///< unit vector in the world
     position, ///< in the world, world units
     id,       ///< number of the model, in the order in which they were given, counted from 1
+    lines,    ///< how much of the pixel the drawn lines cover, in [0,1], whatever their colour; everywhere in the picture
 };
 
 /// "ndotv". Unit: "1/length" and so on, "" for pure numbers.
@@ -38,7 +41,10 @@ struct PassImage {
     double low = 0, high = 0;   ///< the range that a file of whole numbers spreads over: fixed for ndotv and normal, else of the picture
 };
 
-/// Quantities of curvature are computed at the corners and mixed within each face, as lines are extracted.
+/// The pass of lines: what a drawing's strokes cover.
+PassImage lines_pass(const Drawing& drawing, const Style& style = {});
+
+/// Every other pass. Quantities of curvature are computed at the corners and mixed within each face, as lines are extracted.
 /// @throws Error::Input when the model has not what the pass needs.
 PassImage make_pass(const LineModel& model, const GBuffer& seen, const Camera& camera, Pass pass);
 
