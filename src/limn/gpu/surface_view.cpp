@@ -4,6 +4,7 @@
 
 #include "limn/base/error.h"
 #include "limn/gpu/context.h"
+#include "limn/lines/bar_texture.h"
 
 namespace limn::gpu {
 namespace {
@@ -23,6 +24,20 @@ std::vector<Vertex> vertices_of(const LineModel& m)
             vertices[i] = {vec4(m.positions[i], float(object + 1)), vec4(m.normals[i], m.k1[i]), vec4(m.e1[i], m.k2[i]), m.derivative[i]};
     return vertices;
 }
+
+/// The textures of ShaderMethod::texture where surface.frag looks for them.
+struct BoundBars {
+    Texture contour, suggestive;
+    explicit BoundBars(const ShaderLineOptions& options)
+    {
+        if (options.method != ShaderMethod::texture)
+            return;
+        contour = make_mipmaps(bar_texture(options.texture_size, options.contour_bar()));
+        suggestive = make_mipmaps(bar_texture(options.texture_size, options.suggestive_bar()));
+        bind_texture(contour, 0);
+        bind_texture(suggestive, 1);
+    }
+};
 
 } // namespace
 
@@ -52,6 +67,11 @@ SurfaceView SurfaceRenderer::render(const Camera& camera, const Tile& tile, cons
     program_.set("suggestive_width", options.suggestive_width);
     program_.set("least_strength", options.least_strength());
     program_.set("naive", int(options.naive));
+    program_.set("method", int(options.method));
+    program_.set("suggestive", int(options.suggestive));
+    program_.set("feature_size", options.feature_size);
+    program_.set("suggestive_limit", options.suggestive_limit);
+    const BoundBars bars(options);
     const Framebuffer picture(tile.size, {Format::rgba32f, Format::rgba32f, Format::r32ui});
     picture.clear(0, vec4(0));
     picture.clear(1, vec4(0));
