@@ -11,6 +11,8 @@
 #include "console.h"
 #include "limn/gpu/field_view.h"
 #include "limn/gpu/lit_view.h"
+#include "limn/gpu/surface_view.h"
+#include "limn/lines/feature_size.h"
 #include "limn/lines/regions.h"
 
 using namespace limn;
@@ -65,6 +67,21 @@ FrameMethod filter(std::shared_ptr<gpu::FieldRenderer> renderer, std::string nam
     return {std::move(name), {"model", "filter"}, true, study, frame};
 }
 
+/// Lines decided by the fragment shader of the model's own pass.
+FrameMethod shader(std::shared_ptr<gpu::SurfaceRenderer> renderer, std::string name, const ShaderLineOptions& options, std::array<int, 5> study)
+{
+    auto picture = std::make_shared<std::optional<gpu::Framebuffer>>();
+    auto frame = [=](const Camera& camera) {
+        if (!*picture || (*picture)->size() != camera.size)
+            picture->emplace(camera.size, std::vector{gpu::Format::rgba32f});
+        Stopwatch watch;
+        (*picture)->clear(0, vec4(0));
+        renderer->draw(**picture, camera, {ivec2(0), camera.size}, options);
+        return StageTimes{finished(watch)};
+    };
+    return {std::move(name), {"model"}, true, study, frame};
+}
+
 FrameMethod lit_on_gpu(const FrameSubject& subject)
 {
     auto renderer = std::make_shared<gpu::LitRenderer>(subject.model, 1 << 14);
@@ -96,6 +113,13 @@ std::vector<FrameMethod> frame_methods(const FrameSubject& subject)
     std::vector<FrameMethod> methods;
     methods.push_back(strokes(subject, "M1 + M3, strokes, processor", {LineType::contour, LineType::suggestive}, {65, 27, 16, 5, 3}));
     methods.push_back(strokes(subject, "M1 + M3 + M4, strokes, processor", {LineType::contour, LineType::suggestive, LineType::highlight}, {62, 24, 13, 4, 2}));
+    const auto surface = std::make_shared<gpu::SurfaceRenderer>(subject.model);
+    ShaderLineOptions lines;
+    lines.feature_size = model_feature_size(subject.model, LineOptions().feature_size);
+    lines.method = ShaderMethod::texture;
+    methods.push_back(shader(surface, "M6 texture", lines, {}));
+    lines.method = ShaderMethod::width;
+    methods.push_back(shader(surface, "M7 vertex and fragment shader", lines, {130, 0, 0, 0, 24}));
     const auto fields = std::make_shared<gpu::FieldRenderer>(subject.model);
     ImageLineOptions options;
     options.method = ImageMethod::threshold;

@@ -124,8 +124,8 @@ Image PixelPainter::paint_once(const SeenModel& model, const Camera& camera, con
     const Camera fine = finer_camera(camera);
     if (options.image_lines.method != ImageMethod::off)
         lay_over(picture, context_ ? on_gpu_->filtered(fine, options) : filtered_on_processor(model, fine, options), options.ink);
-    if (options.shader_lines) {
-        const ShaderLineOptions lines = finer_lines(*options.shader_lines);
+    if (options.shader_lines.method != ShaderMethod::off) {
+        const ShaderLineOptions lines = finer_lines(options.shader_lines);
         lay_over(picture, context_ ? on_gpu_->shader_lines(fine, lines) : shader_lines_on_processor(model, fine, lines), options.ink);
     }
     return picture;

@@ -15,7 +15,7 @@
 struct PixelOptions {
     limn::ShadeOptions shade;
     limn::ImageLineOptions image_lines;
-    std::optional<limn::ShaderLineOptions> shader_lines;
+    limn::ShaderLineOptions shader_lines;
     limn::vec3 ink = limn::vec3(0); ///< colour of such lines
 };
 

@@ -34,7 +34,7 @@ struct RenderCommand {
     PictureCommand pictures;
     RenderOptions render;
     ImageLineOptions image_lines;
-    bool shader_lines = false;
+    ShaderLineOptions shader_lines;
     std::string passes;
 };
 
@@ -102,12 +102,11 @@ void check_passes(const RenderCommand& command, const std::vector<Pass>& passes)
 
 PixelOptions pixel_options(const RenderCommand& command, const SeenModel& model)
 {
-    PixelOptions options = {shade_options(command.render, model.scene, model.up), command.image_lines, std::nullopt,
+    PixelOptions options = {shade_options(command.render, model.scene, model.up), command.image_lines, command.shader_lines,
                             command.pictures.style.line(LineType::contour).colour};
-    if (command.shader_lines) {
-        options.shader_lines.emplace();
-        options.shader_lines->suggestive_limit = float(command.pictures.lines.suggestive_limit);
-        options.shader_lines->feature_size = model_feature_size(model.lines, command.pictures.lines.feature_size);
+    if (options.shader_lines.method != ShaderMethod::off) {
+        options.shader_lines.suggestive_limit = float(command.pictures.lines.suggestive_limit);
+        options.shader_lines.feature_size = model_feature_size(model.lines, command.pictures.lines.feature_size);
     }
     return options;
 }
@@ -122,7 +121,7 @@ void run(RenderCommand& command)
     const std::vector<Pass> passes = passes_of(command);
     check_passes(command, passes);
     pictures.need = pass_need(passes);
-    if (command.shader_lines)
+    if (command.shader_lines.method != ShaderMethod::off)
         pictures.need = Need::derivative;
     PictureHooks hooks;
     PixelPainter painter(pictures.common.device, say_on_standard_error);
@@ -151,8 +150,7 @@ Subcommand add_render(CLI::App& limn)
     app->footer(examples);
     add_table_options(*app, render_option_table(), command->render, "Shading");
     add_table_options(*app, image_line_option_table(), command->image_lines, "Lines per pixel");
-    app->add_flag("--shader-lines", command->shader_lines, "contours and suggestive contours decided pixel by pixel from the surface, 2 px wide")
-        ->group("Lines per pixel");
+    add_table_options(*app, shader_line_option_table(), command->shader_lines, "Lines per pixel");
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id,lines (or all) to FILE-PASS, and their scales to FILE-passes.json")
         ->type_name("PASS,...")
         ->group("Shading");

@@ -173,7 +173,7 @@ TEST_F(Render, FindsLinesPerPixelOnBothDevicesAlike)
     render("-o " + path("bare.png"));
     const Image bare = picture("bare.png");
     for (const std::string method : {"--ground --lamp 3,4,5", "--image-lines threshold", "--image-lines depth-raw", "--image-lines depth", "--image-lines valley-printed",
-                                     "--image-lines valley", "--shader-lines"}) {
+                                     "--image-lines valley", "--shader-lines width", "--shader-lines texture"}) {
         render("-o " + path("cpu.png") + " " + method);
         const Image cpu = picture("cpu.png");
         std::size_t darker = 0;

@@ -69,9 +69,9 @@ TEST_F(GpuContext, TellsWhatIsWrongWithAShader)
 TEST_F(GpuContext, IncludesEachFileOnceAndKeepsLineNumbers)
 {
     const std::string text = gpu::expand_shader("x.comp", "#include \"limn/formulas/shading.glsl\"\n#include \"limn/formulas/shading.glsl\"\nvoid main() {}\n");
-    const std::size_t first = text.find("toon_tone(");
+    const std::size_t first = text.find("FORMULA float toon_tone(");
     EXPECT_NE(first, std::string::npos);
-    EXPECT_EQ(text.find("toon_tone(", first + 1), std::string::npos);
+    EXPECT_EQ(text.find("FORMULA float toon_tone(", first + 1), std::string::npos);
     EXPECT_NE(text.find("#line 3\nvoid main"), std::string::npos);
     EXPECT_EQ(text.find("#pragma once"), std::string::npos);
 }

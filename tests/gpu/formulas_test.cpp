@@ -61,6 +61,7 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/shading.glsl"
 #include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/sobel.glsl"
+#include "limn/formulas/texture_lines.glsl"
 layout(local_size_x = 64) in;
 struct Point {{ vec4 v; vec4 n; vec4 e1; vec4 e2; vec4 derivative; vec4 k; }};
 layout(std430, binding = 0) readonly buffer Points {{ Point points[]; }};
@@ -195,6 +196,14 @@ Values pictures(const Point& p, const RadialTerms&)
     return {{{surface_tone(n, v, vec3(p.e1), 0.3f, 0.0f), 1}, {is_step(vec3(p.e1), vec3(p.e1) + 1.5f * step) ? 1.0f : 0.0f, 0}, {ground_cover(5 * p.k.z), 1}}};
 }
 
+Values places(const Point& p, const RadialTerms&)
+{
+    const float size = 0.05f, strength = p.derivative.x;
+    const vec2 place = suggestive_place(p.k.x, strength, size, 0.02f), contour = contour_place(p.k.w);
+    const float level = texture_level(vec2(p.derivative.x, p.derivative.y), vec2(p.derivative.z, p.derivative.w), 128.0f);
+    return {{{place.x, 1 + TEXTURE_SCALE * size * std::abs(p.k.x)}, {place.y, 1 + size * size * std::abs(strength)}, {contour.x, 1}, {contour.y, 1}, {level, 10}}};
+}
+
 const Formula formulas_of_the_library[] = {
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
@@ -220,6 +229,10 @@ const Formula formulas_of_the_library[] = {
      "float nv = p.k.w; r[0] = contour_distance(nv, p.k.x, 100.0f); r[1] = suggestive_distance(p.k.z, p.k.x, p.derivative.x, 100.0f);"
      "r[2] = line_cover(p.k.z * 4.0f, 2.0f); r[3] = shader_ink(nv, p.k.x, p.derivative.x, 100.0f, 2.0f, 2.0f, -1.0f);",
      inks},
+    {"texture lines",
+     "vec2 place = suggestive_place(p.k.x, p.derivative.x, 0.05f, 0.02f); vec2 contour = contour_place(p.k.w); r[0] = place.x; r[1] = place.y;"
+     "r[2] = contour.x; r[3] = contour.y; r[4] = texture_level(p.derivative.xy, p.derivative.zw, 128.0f);",
+     places},
     {"sobel, stands_out",
      "float z[9] = float[9](v.x, v.y, v.z, n.x, n.y, n.z, p.e1.x, p.e1.y, p.e1.z); vec2 g = sobel(z); r[0] = g.x; r[1] = g.y;"
      "r[2] = sobel_strength(z); r[3] = stands_out(z);",

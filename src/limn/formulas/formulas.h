@@ -17,6 +17,7 @@ using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/shading.glsl"
 #include "limn/formulas/sobel.glsl"
+#include "limn/formulas/texture_lines.glsl"
 } // namespace limn::formulas
 
 #undef FORMULA

@@ -24,12 +24,12 @@ FORMULA float line_cover(const float distance, const float reach)
 }
 
 // The ink of one pixel. Contours are as wide as asked on the one side that shows the surface; suggestive contours have half on either side,
-// and end where sin^2(theta) dwkr falls to least_strength.
+// lie on front sides alone, and end where sin^2(theta) dwkr falls to least_strength.
 FORMULA float shader_ink(const float nv, const float kr, const float dwkr, const float per_unit, const float contour_width,
                          const float suggestive_width, const float least_strength)
 {
     float ink = line_cover(contour_distance(nv, kr, per_unit), contour_width);
-    if ((1.0f - nv * nv) * dwkr > least_strength)
-        ink = max(ink, line_cover(suggestive_distance(max(nv, 0.0f), kr, dwkr, per_unit), 0.5f * suggestive_width));
+    if (nv > 0.0f && (1.0f - nv * nv) * dwkr > least_strength)
+        ink = max(ink, line_cover(suggestive_distance(nv, kr, dwkr, per_unit), 0.5f * suggestive_width));
     return ink;
 }

@@ -87,6 +87,24 @@ Texture make_texture(Format format, ivec2 size)
     return texture;
 }
 
+Texture make_mipmaps(const std::vector<Image>& levels)
+{
+    unsigned id = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &id);
+    Texture texture(id);
+    glTextureStorage2D(id, GLsizei(levels.size()), GL_R32F, levels[0].width, levels[0].height);
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        glTextureSubImage2D(id, GLint(k), 0, 0, levels[k].width, levels[k].height, GL_RED, GL_FLOAT, levels[k].samples.data());
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    check_room(fmt::format("a texture of {} x {}", levels[0].width, levels[0].height));
+    return texture;
+}
+
+void bind_texture(const Texture& texture, unsigned binding) { glBindTextureUnit(binding, texture.id()); }
+
 Framebuffer::Framebuffer(ivec2 size, const std::vector<Format>& colours) : size_(size)
 {
     unsigned id = 0;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "limn/base/image.h"
 #include "limn/base/vec.h"
 
 namespace limn::gpu {
@@ -71,6 +72,13 @@ enum class Format : std::uint8_t { rgba8, r32f, rgba32f, r32ui, depth32f };
 
 /// A picture on the device with one level. @throws Error::Device where the device has no room.
 Texture make_texture(Format format, ivec2 size);
+
+/// A texture of floats from all its levels, each half as large as the one before and of one channel; filtered between texels and levels,
+/// its border repeated. The first row of an image has t = 0. @throws Error::Device where the device has no room.
+Texture make_mipmaps(const std::vector<Image>& levels);
+
+/// For the sampler at a binding point.
+void bind_texture(const Texture& texture, unsigned binding);
 
 /// Pictures that a program draws into, with a depth buffer: Mesa's software renderer loses what fragment shaders write to
 /// buffers where there is none.

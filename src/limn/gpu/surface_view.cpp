@@ -4,6 +4,7 @@
 
 #include "limn/base/error.h"
 #include "limn/gpu/context.h"
+#include "limn/lines/bar_texture.h"
 
 namespace limn::gpu {
 namespace {
@@ -24,6 +25,20 @@ std::vector<Vertex> vertices_of(const LineModel& m)
     return vertices;
 }
 
+/// The textures of ShaderMethod::texture where surface.frag looks for them.
+struct BoundBars {
+    Texture contour, suggestive;
+    explicit BoundBars(const ShaderLineOptions& options)
+    {
+        if (options.method != ShaderMethod::texture)
+            return;
+        contour = make_mipmaps(bar_texture(options.texture_size, options.contour_bar()));
+        suggestive = make_mipmaps(bar_texture(options.texture_size, options.suggestive_bar()));
+        bind_texture(contour, 0);
+        bind_texture(suggestive, 1);
+    }
+};
+
 } // namespace
 
 Image SurfaceView::ink() const
@@ -40,7 +55,7 @@ SurfaceRenderer::SurfaceRenderer(const LineModel& model)
     glVertexArrayElementBuffer(array_.id(), faces_.id());
 }
 
-SurfaceView SurfaceRenderer::render(const Camera& camera, const Tile& tile, const ShaderLineOptions& options) const
+void SurfaceRenderer::draw(const Framebuffer& picture, const Camera& camera, const Tile& tile, const ShaderLineOptions& options) const
 {
     const Projector projector(model_, camera);
     const View view = model_.view(camera);
@@ -52,10 +67,11 @@ SurfaceView SurfaceRenderer::render(const Camera& camera, const Tile& tile, cons
     program_.set("suggestive_width", options.suggestive_width);
     program_.set("least_strength", options.least_strength());
     program_.set("naive", int(options.naive));
-    const Framebuffer picture(tile.size, {Format::rgba32f, Format::rgba32f, Format::r32ui});
-    picture.clear(0, vec4(0));
-    picture.clear(1, vec4(0));
-    picture.clear(2, 0u);
+    program_.set("method", int(options.method));
+    program_.set("suggestive", int(options.suggestive));
+    program_.set("feature_size", options.feature_size);
+    program_.set("suggestive_limit", options.suggestive_limit);
+    const BoundBars bars(options);
     picture.clear_depth();
     picture.bind();
     glEnable(GL_DEPTH_TEST);
@@ -65,6 +81,15 @@ SurfaceView SurfaceRenderer::render(const Camera& camera, const Tile& tile, cons
     glBindVertexArray(array_.id());
     glDrawElements(GL_TRIANGLES, GLsizei(3 * model_.faces.size()), GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
+}
+
+SurfaceView SurfaceRenderer::render(const Camera& camera, const Tile& tile, const ShaderLineOptions& options) const
+{
+    const Framebuffer picture(tile.size, {Format::rgba32f, Format::rgba32f, Format::r32ui});
+    picture.clear(0, vec4(0));
+    picture.clear(1, vec4(0));
+    picture.clear(2, 0u);
+    draw(picture, camera, tile, options);
     SurfaceView result = {tile.size, from_top(picture.read_floats(0), tile.size), from_top(picture.read_floats(1), tile.size),
                           from_top(picture.read_unsigned(2), tile.size)};
     check_errors("drawing a surface");

@@ -24,10 +24,13 @@ class SurfaceRenderer {
 public:
     /// @throws Error::Input for a model without them, Error::Device where it does not fit.
     explicit SurfaceRenderer(const LineModel& model);
-    /// @throws Error::Device when the picture is larger than the device allows.
+    /// @throws Error::Device when the picture is larger than the device allows, Error::Input for a texture size out of range.
     SurfaceView render(const Camera& camera, const ShaderLineOptions& options = {}) const { return render(camera, {ivec2(0), camera.size}, options); }
     /// A part of the picture.
     SurfaceView render(const Camera& camera, const Tile& tile, const ShaderLineOptions& options) const;
+    /// Only gives the work to the device: into pictures of the tile's size, of which there may be fewer than SurfaceView has; the caller clears
+    /// their colours.
+    void draw(const Framebuffer& picture, const Camera& camera, const Tile& tile, const ShaderLineOptions& options) const;
 
 private:
     const LineModel& model_;

@@ -16,6 +16,7 @@ uniform int orthographic;
 out float nv;
 out float kr;
 out float dwkr;
+out float strength;     // sin^2(theta) D kr
 out vec3 normal;
 out float eye_depth;     // w of the clip position: along the viewing direction
 flat out uint object;
@@ -31,6 +32,7 @@ void main()
     nv = t.nv / sqrt(t.vv);
     kr = radial_curvature(t, k1, k2);
     dwkr = radial_curvature_derivative(t, k1, k2, p.derivative);
+    strength = suggestive_strength(t, dwkr, 1.0f, 0.0f);
     normal = n;
     object = uint(p.position.w + 0.5f);
     gl_Position = to_clip * vec4(p.position.xyz, 1.0f);
