@@ -76,6 +76,26 @@ TEST_F(GpuContext, IncludesEachFileOnceAndKeepsLineNumbers)
     EXPECT_EQ(text.find("#pragma once"), std::string::npos);
 }
 
+TEST_F(GpuContext, SaysWhatThereIsNoRoomFor)
+{
+    context->on_problem({}); // the driver says so too
+    const auto message = [](const auto& make) -> std::string {
+        try {
+            make();
+        } catch (const Error::Device& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string buffer = message([] { gpu::Buffer(std::size_t(1) << 50); });
+    EXPECT_NE(buffer.find(std::to_string(std::size_t(1) << 50)), std::string::npos) << buffer;
+    const int edge = 4 * context->info().max_texture_size;
+    const std::string picture = message([&] { gpu::Framebuffer({edge, edge}, {gpu::Format::rgba32f}); });
+    EXPECT_NE(picture.find(std::to_string(edge)), std::string::npos) << picture;
+    EXPECT_NO_THROW(gpu::Framebuffer({16, 16}, {gpu::Format::rgba32f})) << "afterwards all is as before";
+    gpu::check_errors("testing");
+}
+
 TEST_F(GpuContext, BuffersKeepWhatIsWritten)
 {
     const std::vector<float> data = {1, 2, 3, 4, 5};
