@@ -1,6 +1,7 @@
 #include "limn/scene/json_place.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -12,7 +13,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t longest_shown = 40;
+constexpr std::size_t longest_shown = 80; ///< bytes
 constexpr std::size_t deepest = 64; ///< levels of nesting; a scene has five
 
 /// What was found, short enough for one line.
@@ -22,8 +23,18 @@ std::string shown(const Json& value)
         return "an object";
     if (value.is_array())
         return value.size() == 1 ? "a list of 1" : fmt::format("a list of {}", value.size());
-    const std::string text = value.dump(-1, ' ', true);
-    return text.size() <= longest_shown ? text : text.substr(0, longest_shown) + "...";
+    const std::string text = value.dump();
+    std::size_t end = longest_shown;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) // not within a character
+        --end;
+    return text.size() <= longest_shown ? text : text.substr(0, end) + "...";
+}
+
+/// A key as it stands in a way: quoted where it is no plain word, so that it keeps to one line.
+std::string shown_key(const std::string& key)
+{
+    const auto is_plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+    return !key.empty() && key.size() <= longest_shown && std::all_of(key.begin(), key.end(), is_plain) ? key : shown(Json(key));
 }
 
 bool is_finite_number(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
@@ -53,7 +64,7 @@ private:
 
 } // namespace
 
-JsonPlace JsonPlace::at(const std::string& key) const { return {value_[key], file_, way_.empty() ? key : way_ + "." + key}; }
+JsonPlace JsonPlace::at(const std::string& key) const { return {value_[key], file_, (way_.empty() ? "" : way_ + ".") + shown_key(key)}; }
 JsonPlace JsonPlace::at(std::size_t index) const { return {value_[index], file_, fmt::format("{}[{}]", way_, index)}; }
 
 void JsonPlace::check_keys(const std::vector<std::string>& known) const
@@ -63,7 +74,7 @@ void JsonPlace::check_keys(const std::vector<std::string>& known) const
     for (const auto& [key, value] : value_.items())
         if (std::find(known.begin(), known.end(), key) == known.end()) {
             const std::string guess = did_you_mean(key, known);
-            refuse(fmt::format("unknown key {}{}", shown(key), guess.empty() ? fmt::format("; known: {}", fmt::join(known, ", ")) : guess));
+            at(key).refuse("unknown key" + (guess.empty() ? fmt::format("; known: {}", fmt::join(known, ", ")) : guess));
         }
 }
 
@@ -125,6 +136,8 @@ void JsonPlace::refuse(std::string_view what) const
 {
     throw Error::Read(way_.empty() ? fmt::format("{}: {}", file_, what) : fmt::format("{}: {}: {}", file_, way_, what));
 }
+
+std::string quoted(const std::string& text) { return shown(Json(text)); }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known)
 {

@@ -51,7 +51,10 @@ private:
     std::string file_, way_;
 };
 
-/// ": did you mean 'colour'?", or "" where no word is near.
+/// A text in quotation marks, without line breaks and not too long for a message.
+std::string quoted(const std::string& text);
+
+/// "; did you mean 'colour'?", or "" where no word is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
 /// Parses a JSON file. @throws Error::Read naming the file, and the line and byte where it is broken or the key that stands twice in one

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/base/file.h"
 
 namespace limn {
 namespace {
@@ -39,6 +40,10 @@ LineOptions no_lines()
     options.lines.clear();
     return options;
 }
+
+char usual_up_axis(std::string_view format) { return format == "stl" || format == "3mf" ? 'z' : 'y'; }
+
+dvec3 up_vector(char up_axis) { return up_axis == 'z' ? dvec3(0, 0, 1) : dvec3(0, 1, 0); }
 
 std::vector<Material> object_materials(const Scene& scene, const Material& usual)
 {
@@ -74,11 +79,12 @@ RenderOptions lit_by(const std::vector<Light>& lights, RenderOptions options)
     return options;
 }
 
-ShadeOptions shade_options(const Scene& scene)
+char up_axis_of(const Scene& scene)
 {
-    ShadeOptions options = shade_options(lit_by(scene.lights, scene.render));
-    options.materials = object_materials(scene, default_material(scene.render));
-    return options;
+    if (scene.view.up_axis != 0 || scene.objects.empty())
+        return scene.view.up_axis == 'z' ? 'z' : 'y';
+    const SceneObject& first = scene.objects.front();
+    return usual_up_axis(first.format.empty() ? file_ending(first.file) : first.format);
 }
 
 std::string transform_fault(const dmat4& transform)

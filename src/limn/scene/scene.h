@@ -13,6 +13,7 @@
 #include "limn/geometry/mesh.h"
 #include "limn/lines/image_lines.h"
 #include "limn/lines/options.h"
+#include "limn/lines/shader_lines.h"
 #include "limn/raycast/material.h"
 #include "limn/scene/render_options.h"
 #include "limn/surface/estimate.h"
@@ -53,6 +54,10 @@ struct SceneView {
 
 LineOptions no_lines();
 
+/// 'z' for the formats of 3D printing (stl, 3mf), 'y' otherwise. @param format  an ending
+char usual_up_axis(std::string_view format);
+dvec3 up_vector(char up_axis);
+
 /// Everything that a picture is made of. A value: copy it, change it, keep several.
 struct Scene {
     std::vector<SceneObject> objects;
@@ -64,6 +69,7 @@ struct Scene {
     Style style;                ///< of the lines
     RenderOptions render;       ///< `colour` and `shade` are the material of objects without one
     ImageLineOptions image_lines;
+    ShaderLineOptions shader_lines; ///< its limit and feature size are those of `lines`
 };
 
 /// The materials of all objects, in their order. @throws Error::Input naming an object whose material the scene does not have.
@@ -72,12 +78,12 @@ std::vector<Material> object_materials(const Scene& scene, const Material& usual
 /// `options` with a scene's lights in place of its own, where the scene has any. @throws Error::Input for more than one light.
 RenderOptions lit_by(const std::vector<Light>& lights, RenderOptions options);
 
-/// How a scene is shaded. @throws Error::Input as object_materials and lit_by.
-ShadeOptions shade_options(const Scene& scene);
-
 /// Whether a matrix is a rotation, a uniform scale between 1e-9 and 1e9 and a translation up to 1e15; and "shears or scales unevenly", "mirrors", ...
 /// otherwise ("" where it is).
 std::string transform_fault(const dmat4& transform);
+
+/// The axis of the scene that points up: what its view says, or usual_up_axis of its first object.
+char up_axis_of(const Scene& scene);
 
 /// For each object the first one that shows the same model: files are read once.
 std::vector<std::size_t> first_of_same_model(const std::vector<SceneObject>& objects);

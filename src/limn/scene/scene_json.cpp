@@ -39,7 +39,7 @@ std::variant<std::string, Material> read_own_material(const JsonPlace& place, co
         std::vector<std::string> names;
         for (const auto& [known, material] : materials)
             names.push_back(known);
-        place.refuse(fmt::format("no material is called '{}'{}", name, did_you_mean(name, names)));
+        place.refuse(fmt::format("no material is called {}{}", quoted(name), did_you_mean(name, names)));
     }
     return name;
 }
@@ -54,7 +54,7 @@ std::filesystem::path read_model_path(const JsonPlace& place, const std::filesys
     const std::filesystem::path path = folder / name;
     std::error_code failure;
     if (!std::filesystem::exists(path, failure))
-        place.refuse(fmt::format("there is no file '{}'", path.string()));
+        place.refuse(fmt::format("there is no file {}", quoted(name)));
     return path;
 }
 
@@ -192,7 +192,7 @@ Scene scene_from_json(std::string_view text, const std::filesystem::path& file)
     if (!json.is_object())
         place.expected("an object");
     check_version(place);
-    place.check_keys({"limn", "objects", "materials", "lights", "camera", "surface", "lines", "style", "render", "image-lines"});
+    place.check_keys({"limn", "objects", "materials", "lights", "camera", "surface", "lines", "style", "render", "image-lines", "shader-lines"});
     place.need({"objects"});
 
     Scene scene;
@@ -208,6 +208,7 @@ Scene scene_from_json(std::string_view text, const std::filesystem::path& file)
     where_given(place, "style", [&](const JsonPlace& at) { read_options(at, style_option_table(), scene.style); });
     where_given(place, "render", [&](const JsonPlace& at) { read_options(at, render_rows(), scene.render); });
     where_given(place, "image-lines", [&](const JsonPlace& at) { read_options(at, image_line_option_table(), scene.image_lines); });
+    where_given(place, "shader-lines", [&](const JsonPlace& at) { read_options(at, shader_line_option_table(), scene.shader_lines); });
     return scene;
 }
 
@@ -231,6 +232,7 @@ std::string scene_to_json(const Scene& scene, const std::filesystem::path& folde
     write_section(json, "style", style_option_table(), scene.style, usual.style);
     write_section(json, "render", render_rows(), scene.render, usual.render);
     write_section(json, "image-lines", image_line_option_table(), scene.image_lines, usual.image_lines);
+    write_section(json, "shader-lines", shader_line_option_table(), scene.shader_lines, usual.shader_lines);
     return json.dump(2) + "\n";
 }
 

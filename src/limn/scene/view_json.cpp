@@ -36,7 +36,9 @@ Camera read_camera(const JsonPlace& place)
     try {
         return camera_from_json(place.value().dump());
     } catch (const Error::Input& error) {
-        place.refuse(error.what());
+        std::string_view message = error.what();
+        message.remove_prefix(message.starts_with("camera: ") ? 8 : 0); // the way says it
+        place.refuse(message);
     }
 }
 
