@@ -296,6 +296,24 @@ TEST_F(SceneJson, RefusesWhatIsNotThere)
               "lights: expected one light, which is all a picture is lit by so far, found a list of 2");
 }
 
+TEST_F(SceneJson, TheManualsExampleIsItsFileAndCanBeRead)
+{
+    const std::string file = test::read_text(LIMN_DOCS "/scene.json"), manual = test::read_text(LIMN_DOCS "/scene.md");
+    EXPECT_NE(manual.find("```json\n" + file + "```"), std::string::npos);
+    for (const char* model : {"knot.ply", "torus.ply", "cylinder.ply"})
+        test::write_text(folder_ / model, "");
+    EXPECT_EQ(refusal(file), "");
+}
+
+TEST_F(SceneJson, TheManualNamesEveryKeyOfItsOwn)
+{
+    const std::string manual = test::read_text(LIMN_DOCS "/scene.md");
+    for (const char* key : {"limn", "objects", "materials", "lights", "camera", "surface", "lines", "style", "render", "image-lines", "shader-lines", "file", "from", "name",
+                            "scale", "rotate", "translate", "matrix", "material", "colour", "unlit", "view", "up_axis", "fov_degrees", "orthographic", "size", "eye", "look",
+                            "up", "ortho_height"})
+        EXPECT_NE(manual.find("`" + std::string(key) + "`"), std::string::npos) << key;
+}
+
 TEST_F(SceneJson, AMeshInMemoryIsNotWritten)
 {
     Scene s;
