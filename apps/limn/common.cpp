@@ -6,7 +6,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/file.h"
-#include "nearest.h"
+#include "limn/base/nearest.h"
 
 using limn::Error;
 
@@ -44,7 +44,7 @@ std::vector<Output> checked_outputs(const CommonOptions& options, const std::vec
         if (path == "-" && options.to.empty())
             throw Error::Input(fmt::format("-o -: standard output has no ending; say --to {}", join(known, "|")));
         if (std::find(known.begin(), known.end(), format) == known.end()) {
-            const std::string guess = nearest(format, known);
+            const std::string guess = limn::nearest(format, known);
             throw Error::Input(fmt::format("{}: '{}' is not a format to write; known: {}{}", options.to.empty() ? "-o " + path : "--to",
                                            format, join(known, ", "), guess.empty() ? "" : fmt::format(" (did you mean '{}'?)", guess)));
         }

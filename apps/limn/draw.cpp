@@ -5,6 +5,7 @@
 #include "limn/base/parallel.h"
 #include "limn/drawing/write_drawing.h"
 #include "pictures.h"
+#include "scene_file.h"
 #include "subcommand.h"
 
 using namespace limn;
@@ -18,18 +19,32 @@ constexpr const char* examples = R"(Examples:
       --view front --view right --view top --view iso
   limn draw base.obj lid.obj -o both.pdf --scale 1:2 --page A3
   limn draw vase.glb -o turn.svg --turntable 24
+  limn draw scene.json -o scene.svg --lines technical
   cat bunny.ply | limn draw - --from ply -o - --to svg > bunny.svg)";
 
 struct DrawCommand {
     PictureCommand pictures;
     AreaOptions areas;
-    bool lines_given = false;
 };
 
-void run(DrawCommand& command)
+/// Takes what a scene file says. @return whether it or the command line says which lines to draw
+bool take_scene(const CLI::App& app, DrawCommand& command)
+{
+    const std::optional<Scene> scene = take_files(app, command.pictures);
+    if (scene) {
+        const RenderOptions lit = lit_by(scene->lights, scene->render);
+        command.areas.to_light = lit.light;
+        command.areas.lamp = lit.lamp;
+        command.areas.materials = object_materials(*scene, shape_material(command.pictures.style));
+    }
+    return app.count("--lines") > 0 || (scene && !scene->lines.lines.empty());
+}
+
+void run(const CLI::App& app, DrawCommand& command)
 {
     PictureCommand& pictures = command.pictures;
-    if (!command.lines_given && (pictures.style.look == Look::dark || pictures.style.look == Look::toon))
+    const bool lines_given = take_scene(app, command);
+    if (!lines_given && (pictures.style.look == Look::dark || pictures.style.look == Look::toon))
         pictures.lines.lines.push_back(LineType::highlight);
     PictureHooks hooks;
     hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { add_areas(drawing, model.scene, command.areas, pictures.style); };
@@ -57,7 +72,6 @@ Subcommand add_draw(CLI::App& limn)
         ->group("Look and page");
     add_picture_options(*app, command->pictures, "file to write; may be given several times: svg, pdf, png, dxf, json, ply; '-' is standard output");
     return {app, [command, app] {
-                command->lines_given = app->count("--lines") > 0;
-                with_threads(command->pictures.common.threads, [&] { run(*command); });
+                with_threads(command->pictures.common.threads, [&] { run(*app, *command); });
             }};
 }

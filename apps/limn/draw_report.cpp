@@ -36,6 +36,11 @@ nlohmann::ordered_json json_of(const Input& input)
                                    {"triangles", input.triangles},
                                    {"low", {input.bounds.low.x, input.bounds.low.y, input.bounds.low.z}},
                                    {"high", {input.bounds.high.x, input.bounds.high.y, input.bounds.high.z}}};
+    if (!input.name.empty())
+        json["name"] = input.name;
+    if (input.transform != dmat4(1))
+        for (int i = 0; i < 16; ++i)
+            json["matrix"].push_back(input.transform[i % 4][i / 4]);
     if (input.estimate)
         json["curvature"] = {{"rings", input.estimate->radius},
                              {"position_noise", input.estimate->position_noise},

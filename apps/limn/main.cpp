@@ -6,7 +6,7 @@
 
 #include "help.h"
 #include "limn/base/error.h"
-#include "nearest.h"
+#include "limn/base/nearest.h"
 #include "subcommand.h"
 
 namespace {
@@ -56,7 +56,7 @@ std::string unknown_argument(const CLI::App& app, const std::string& argument)
 {
     const std::string word = argument.substr(0, argument.find('='));
     const bool is_option = word.size() > 1 && word[0] == '-';
-    const std::string guess = nearest(word, is_option ? option_names(app) : subcommand_names(app));
+    const std::string guess = limn::nearest(word, is_option ? option_names(app) : subcommand_names(app));
     const std::string kind = is_option ? "option" : app.get_parent() ? "argument" : "command";
     return fmt::format("unknown {} '{}'; ", kind, word) +
            (guess.empty() ? fmt::format("see '{} --help'", full_name(app)) : fmt::format("did you mean '{}'?", guess));

@@ -1,7 +1,7 @@
 #include "models.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <map>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -17,28 +17,33 @@ using namespace limn;
 
 namespace {
 
+/// A file as it was read and prepared, and what is worth telling of it.
+struct Loaded {
+    PreparedMesh prepared;
+    Input input;
+};
+
 /// @param tell  tell(what, part of this file's work)
-template <class Tell> PreparedMesh load(const std::string& file, const ModelOptions& options, Input& input, Models& models, Tell&& tell)
+template <class Tell> Loaded load(const SceneObject& object, const PrepareOptions& options, Models& models, Tell&& tell)
 {
-    const std::string name = file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+    const std::string file = object.file.string(), name = file == "-" ? "standard input" : object.file.filename().string();
     tell("reading " + name, 0.0);
     Stopwatch watch;
-    ReadResult read = read_mesh_with_notes(file, {.format = options.from});
+    ReadResult read = read_mesh_with_notes(object.file, {.format = object.format});
     models.read_seconds += watch.lap();
-    input = {file,
-             input_format(file, options.from),
-             read.mesh.positions.size(),
-             read.mesh.triangles.size(),
-             read.mesh.bounds(),
-             read.notes,
-             std::nullopt,
-             std::move(read.mesh.face_numbers)};
+    Loaded loaded;
+    loaded.input.file = file;
+    loaded.input.format = input_format(file, object.format);
+    loaded.input.vertices = read.mesh.positions.size();
+    loaded.input.triangles = read.mesh.triangles.size();
+    loaded.input.notes = read.notes;
+    loaded.input.face_numbers = std::move(read.mesh.face_numbers);
     tell("estimating the surface of " + name, 0.3);
-    PreparedMesh prepared = prepare_mesh(std::move(read.mesh), options.prepare);
-    if (!prepared.from_cache && options.prepare.estimate.need != Need::normals)
-        input.estimate = prepared.report;
+    loaded.prepared = prepare_mesh(std::move(read.mesh), options);
+    if (!loaded.prepared.from_cache && options.estimate.need != Need::normals)
+        loaded.input.estimate = loaded.prepared.report;
     models.surface_seconds += watch.lap();
-    return prepared;
+    return loaded;
 }
 
 /// The edges of an object that are not as they should be, as a diagnosis counts them.
@@ -89,20 +94,31 @@ std::string input_format(const std::string& file, const std::string& from) { ret
 
 Models prepare_models(const ModelOptions& options, Console& console, double share)
 {
-    const double for_files = 0.85 * share / double(options.files.size());
+    const std::vector<std::size_t> first = first_of_same_model(options.objects);
+    const double for_files = 0.85 * share / double(options.objects.size());
     Models models;
-    std::vector<PreparedMesh> loaded;
-    for (const std::string& file : options.files) {
-        const auto tell = [&](const std::string& what, double part) { console.progress(what, for_files * (double(loaded.size()) + part)); };
-        loaded.push_back(load(file, options, models.inputs.emplace_back(), models, tell));
+    std::map<std::size_t, Loaded> loaded; // by the first object that shows it
+    std::vector<PlacedSurface> placed;
+    for (std::size_t i = 0; i < options.objects.size(); ++i) {
+        const SceneObject& object = options.objects[i];
+        const auto tell = [&](const std::string& what, double part) { console.progress(what, for_files * (double(i) + part)); };
+        if (first[i] == i)
+            loaded.emplace(i, load(object, options.prepare, models, tell));
+        const Loaded& model = loaded.at(first[i]);
+        placed.push_back(model.prepared.placed(object.transform));
+        Input& input = models.inputs.emplace_back(model.input);
+        input.name = object.name;
+        input.transform = object.transform;
+        input.bounds = world_bounds(placed.back());
+        if (first[i] != i)
+            input.notes.clear();
     }
     console.progress("joining faces", 0.85 * share);
     Stopwatch watch;
-    std::vector<PlacedSurface> placed;
-    for (const PreparedMesh& model : loaded)
-        placed.push_back(model.placed());
     models.lines = build_line_model(placed);
     for (std::size_t object = 0; object < models.inputs.size(); ++object) {
+        if (first[object] != object)
+            continue;
         const std::vector<std::string> more = topology_notes(models.lines, object);
         models.inputs[object].notes.insert(models.inputs[object].notes.end(), more.begin(), more.end());
     }

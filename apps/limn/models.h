@@ -7,20 +7,22 @@
 #include "common.h"
 #include "console.h"
 #include "limn/lines/prepare.h"
+#include "limn/scene/scene.h"
 
 /// What is read and how it is prepared.
 struct ModelOptions {
-    std::vector<std::string> files;
-    std::string from; ///< format of the files, whatever their ending; "" takes their own
+    std::vector<limn::SceneObject> objects; ///< all with files
     limn::PrepareOptions prepare;
 };
 
 /// What is worth telling of a model that was read.
 struct Input {
     std::string file, format;
+    std::string name; ///< that a scene gives it, or ""
+    limn::dmat4 transform = limn::dmat4(1); ///< that places it in the world
     std::size_t vertices = 0, triangles = 0;
-    limn::Bounds bounds;
-    std::vector<std::string> notes;               ///< what is unclean
+    limn::Bounds bounds;                          ///< in the world
+    std::vector<std::string> notes;               ///< what is unclean; of a file shown several times, only where it stands first
     std::optional<limn::EstimateReport> estimate; ///< where curvature was estimated in this run
     std::vector<std::uint32_t> face_numbers;      ///< Mesh::face_numbers
 };
@@ -35,7 +37,7 @@ struct Models {
     std::size_t triangle_count() const { return lines.faces.size(); }
 };
 
-/// Reads the files and estimates their surfaces. The meshes are let go before this returns.
+/// Reads the objects' files, each once, and estimates their surfaces. The meshes are let go before this returns.
 /// @param share  part of the run that this takes, in (0,1]; for the progress
 /// @throws limn::Error::Read naming the file that cannot be read.
 Models prepare_models(const ModelOptions& options, Console& console, double share = 1);

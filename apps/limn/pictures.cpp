@@ -27,7 +27,7 @@ struct Stage {
     const RayScene& rays;
     LineFeatures features;
     SeenScene seen;
-    SeenModel model() const { return {models.lines, seen, up_axis_of(command.view, models.inputs.front().format) == 'z' ? dvec3(0, 0, 1) : dvec3(0, 1, 0)}; }
+    SeenModel model() const { return {models.lines, seen, up_vector(up_axis_of(command.view, models.inputs.front().format))}; }
 };
 
 /// What is kept from view to view.
@@ -151,12 +151,12 @@ std::vector<Sheet> listed_cameras(const std::string& file)
 std::vector<Sheet> all_sheets(const PictureCommand& command, const Models& models)
 {
     const char up_axis = up_axis_of(command.view, models.inputs.front().format);
-    const Scene scene = {models.lines, models.bounds()};
+    const Subject subject = {models.lines, models.bounds()};
     if (!command.cameras.empty())
         return listed_cameras(command.cameras);
     if (command.turntable > 0)
-        return turntable(command.view, scene, up_axis, command.turntable);
-    return {place_cameras(command.view, scene, up_axis)};
+        return turntable(command.view, subject, up_axis, command.turntable);
+    return {place_cameras(command.view, subject, up_axis)};
 }
 
 /// The views of a run before they are drawn: where their eyes are is known before a file is written.
@@ -195,11 +195,11 @@ std::vector<std::string> draw_all(const Stage& stage, const std::vector<Sheet>& 
 
 void add_picture_options(CLI::App& app, PictureCommand& command, const std::string& output_help)
 {
-    app.add_option("MODEL", command.model.files, "files to show together, in any mesh format; '-' is standard input");
+    app.add_option("MODEL", command.files, "files to show together, in any mesh format, or one scene (.json); '-' is standard input");
     add_table_options(app, line_option_table(), command.lines, "Lines");
     add_table_options(app, style_option_table(), command.style, "Look and page");
     add_table_options(app, estimate_option_table(), command.model.prepare.estimate, "Surface");
-    app.add_option("--from", command.model.from, "format of the models, whatever their names end in")->type_name("FORMAT")->group("Input");
+    app.add_option("--from", command.from, "format of the models, whatever their names end in")->type_name("FORMAT")->group("Input");
     app.add_option("--cache", command.model.prepare.cache, "keep estimated surfaces in this folder, and use them again")
         ->type_name("FOLDER")
         ->group("Input");
@@ -217,7 +217,7 @@ void add_picture_options(CLI::App& app, PictureCommand& command, const std::stri
 void make_pictures(PictureCommand& command, const PictureHooks& hooks)
 {
     Stopwatch total;
-    if (command.model.files.empty())
+    if (command.model.objects.empty())
         throw Error::Input(fmt::format("no model given; see 'limn {} --help'", command.name));
     const std::vector<Output> outputs = checked_outputs(command.common, command.formats);
     if (outputs.empty() && !command.common.json)

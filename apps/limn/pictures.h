@@ -7,7 +7,7 @@
 #include "common.h"
 #include "limn/drawing/style.h"
 #include "limn/lines/options.h"
-#include "limn/raycast/fragment.h"
+#include "limn/scene/pixel_painter.h"
 #include "models.h"
 #include "views.h"
 
@@ -16,8 +16,10 @@ struct PictureCommand {
     std::string name;                 ///< of the subcommand
     std::vector<std::string> formats; ///< that it writes
     CommonOptions common;
+    std::vector<std::string> files;   ///< models or one scene, as on the command line
+    std::string from;                 ///< their format, whatever their ending; "" takes their own
     ViewOptions view;
-    ModelOptions model;
+    ModelOptions model;               ///< what the files are, once take_files has read their names
     limn::LineOptions lines;
     limn::Style style;
     limn::Need need = limn::Need::normals; ///< of the surface, besides what the lines need
@@ -26,23 +28,16 @@ struct PictureCommand {
     std::string cameras;              ///< JSON file with a list of cameras, or ""
 };
 
-/// A model as lines and rays see it.
-struct SeenModel {
-    const limn::LineModel& lines;
-    const limn::SeenScene& scene;
-    limn::dvec3 up; ///< of the world
-};
-
 /// Where the two differ.
 struct PictureHooks {
     /// Puts what lies under the lines of one view into its drawing.
-    std::function<void(limn::Drawing&, const SeenModel&)> underlay;
+    std::function<void(limn::Drawing&, const limn::SeenModel&)> underlay;
     /// Writes a picture to one of the files asked for, and returns the names of all that it wrote.
-    std::function<std::vector<std::string>(const limn::Drawing&, const SeenModel&, const Output&)> write;
+    std::function<std::vector<std::string>(const limn::Drawing&, const limn::SeenModel&, const Output&)> write;
 };
 
 /// MODEL, --from, --cache, --turntable, --cameras, and the options of surfaces, cameras and every subcommand.
 void add_picture_options(CLI::App& app, PictureCommand& command, const std::string& output_help);
 
-/// Reads the models, draws the lines of every view, and writes every picture.
+/// Reads the models that the command's objects name, draws the lines of every view, and writes every picture.
 void make_pictures(PictureCommand& command, const PictureHooks& hooks);

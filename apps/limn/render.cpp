@@ -13,9 +13,10 @@
 #include "limn/drawing/raster.h"
 #include "limn/lines/feature_size.h"
 #include "limn/scene/passes.h"
+#include "limn/scene/pixel_painter.h"
 #include "limn/scene/render_options.h"
 #include "pictures.h"
-#include "pixel_painter.h"
+#include "scene_file.h"
 #include "subcommand.h"
 #include "table_options.h"
 
@@ -28,10 +29,12 @@ constexpr const char* examples = R"(Examples:
   limn render bunny.ply -o bunny.png --lines contour,suggestive --shading toon --light 1,2,3
   limn render part.stl -o part.png --background '#ffffff' --view 30,20 --size 1280x720 --bits 16
   limn render vase.glb -o turn.png --turntable 24
+  limn render scene.json -o scene.png --view 30,20
   limn render bunny.ply -o data.exr --pass ndotv,kr,dwkr,depth,normal,id,lines --lines contour --cameras cameras.json)";
 
 struct RenderCommand {
     PictureCommand pictures;
+    std::vector<Material> materials; ///< of a scene's objects; empty: all have the usual one
     RenderOptions render;
     ImageLineOptions image_lines;
     ShaderLineOptions shader_lines;
@@ -104,6 +107,7 @@ PixelOptions pixel_options(const RenderCommand& command, const SeenModel& model)
 {
     PixelOptions options = {shade_options(command.render, model.scene, model.up), command.image_lines, command.shader_lines,
                             command.pictures.style.line(LineType::contour).colour};
+    options.shade.materials = command.materials;
     if (options.shader_lines.method != ShaderMethod::off) {
         options.shader_lines.suggestive_limit = float(command.pictures.lines.suggestive_limit);
         options.shader_lines.feature_size = model_feature_size(model.lines, command.pictures.lines.feature_size);
@@ -111,10 +115,30 @@ PixelOptions pixel_options(const RenderCommand& command, const SeenModel& model)
     return options;
 }
 
+/// Takes what a scene file says, except what the command line says itself.
+void take_scene(const CLI::App& app, RenderCommand& command)
+{
+    const std::optional<Scene> scene = take_files(app, command.pictures);
+    if (!scene)
+        return;
+    RenderOptions lit = lit_by(scene->lights, scene->render);
+    if (app.count("--light") + app.count("--lamp") > 0) {
+        lit.light.reset();
+        lit.lamp.reset();
+    }
+    take_options(app, render_option_table(), lit, command.render);
+    take_options(app, image_line_option_table(), scene->image_lines, command.image_lines);
+    take_options(app, shader_line_option_table(), scene->shader_lines, command.shader_lines);
+    if (app.count("--page") == 0)
+        command.pictures.style.page = {}; // that of the scene is for `limn draw`
+    command.materials = object_materials(*scene, default_material(command.render));
+}
+
 void say_on_standard_error(const std::string& line) { fmt::print(stderr, "limn: {}\n", line); }
 
-void run(RenderCommand& command)
+void run(const CLI::App& app, RenderCommand& command)
 {
+    take_scene(app, command);
     PictureCommand& pictures = command.pictures;
     if (!pictures.style.page.empty())
         throw Error::Input("--page: 'limn render' makes pictures, not pages; 'limn draw --shade smooth' writes pages");
@@ -155,5 +179,5 @@ Subcommand add_render(CLI::App& limn)
         ->type_name("PASS,...")
         ->group("Shading");
     add_picture_options(*app, command->pictures, "file to write; may be given several times: png, exr; '-' is standard output");
-    return {app, [command] { with_threads(command->pictures.common.threads, [&] { run(*command); }); }};
+    return {app, [command, app] { with_threads(command->pictures.common.threads, [&] { run(*app, *command); }); }};
 }

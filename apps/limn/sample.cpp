@@ -7,10 +7,10 @@
 #include "console.h"
 #include "limn/base/error.h"
 #include "limn/base/file.h"
+#include "limn/base/nearest.h"
 #include "limn/base/parallel.h"
 #include "limn/geometry/write_mesh.h"
 #include "limn/surface/shapes.h"
-#include "nearest.h"
 #include "subcommand.h"
 #include "table_options.h"
 

@@ -10,6 +10,7 @@
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/options.h"
+#include "limn/scene/scene.h"
 
 using namespace limn;
 
@@ -54,8 +55,6 @@ double units_per_paper_mm(const ViewOptions& options)
     throw Error::Input(fmt::format("--unit: '{}' is none of mm|cm|m|in|ft", options.unit));
 }
 
-dvec3 up_vector(char up_axis) { return up_axis == 'z' ? dvec3(0, 0, 1) : dvec3(0, 1, 0); }
-
 /// All corners of a box, through a camera.
 template <class F> void each_corner(const Bounds& box, F&& f)
 {
@@ -95,15 +94,21 @@ Camera placed_camera(const ViewOptions& options, const Bounds& bounds, char up_a
     return camera;
 }
 
-Camera read_camera(const ViewOptions& options)
+Camera read_camera(const std::string& file)
 {
-    const std::string text = read_file(options.camera_file);
-    Camera camera;
     try {
-        camera = camera_from_json(text);
+        return camera_from_json(read_file(file));
     } catch (const Error::Input& error) {
-        throw Error::Read(fmt::format("{}: {}", options.camera_file, error.what()));
+        throw Error::Read(fmt::format("{}: {}", file, error.what()));
     }
+}
+
+/// Whether the options hold a whole camera.
+bool is_whole(const ViewOptions& options) { return options.camera || !options.camera_file.empty(); }
+
+Camera whole_camera(const ViewOptions& options)
+{
+    Camera camera = options.camera ? *options.camera : read_camera(options.camera_file);
     if (!options.size.empty())
         camera.size = parse_size(options.size);
     return camera;
@@ -125,17 +130,17 @@ void lay_out(Sheet& sheet)
     sheet.size = picture * grid;
 }
 
-std::vector<Camera> framed_cameras(const ViewOptions& options, const Scene& scene, char up_axis, ivec2 picture)
+std::vector<Camera> framed_cameras(const ViewOptions& options, const Subject& subject, char up_axis, ivec2 picture)
 {
     std::vector<Camera> cameras;
     const std::vector<std::string> views = options.views.empty() ? std::vector<std::string>{Framing().view} : options.views;
     for (const std::string& view : views)
-        cameras.push_back(Camera::framing(scene.bounds, {.view = view,
-                                                         .up_axis = up_axis,
-                                                         .size = picture,
-                                                         .fov_degrees = options.fov_degrees,
-                                                         .orthographic = options.orthographic || !options.scale.empty()}));
-    fit_cameras(cameras, scene.model, options.views.size() > 1 ? sheet_margin : Framing().margin);
+        cameras.push_back(Camera::framing(subject.bounds, {.view = view,
+                                                           .up_axis = up_axis,
+                                                           .size = picture,
+                                                           .fov_degrees = options.fov_degrees,
+                                                           .orthographic = options.orthographic || !options.scale.empty()}));
+    fit_cameras(cameras, subject.model, options.views.size() > 1 ? sheet_margin : Framing().margin);
     return cameras;
 }
 
@@ -181,7 +186,7 @@ std::vector<Camera> turned_around(const Camera& camera, const Bounds& bounds, ch
 }
 
 /// Views at the camera's elevation from all around, framed so that the model fits in every one.
-std::vector<Camera> framed_around(ViewOptions options, const Camera& camera, const Scene& scene, char up_axis, int count)
+std::vector<Camera> framed_around(ViewOptions options, const Camera& camera, const Subject& subject, char up_axis, int count)
 {
     const dvec3 towards = -camera.forward();
     const dvec3 y_up = up_axis == 'z' ? dvec3(towards.x, towards.z, -towards.y) : towards;
@@ -189,7 +194,7 @@ std::vector<Camera> framed_around(ViewOptions options, const Camera& camera, con
     options.views.clear();
     for (int i = 0; i < count; ++i)
         options.views.push_back(fmt::format("{},{}", azimuth + 360.0 * i / count, elevation));
-    return framed_cameras(options, scene, up_axis, camera.size);
+    return framed_cameras(options, subject, up_axis, camera.size);
 }
 
 } // namespace
@@ -246,35 +251,35 @@ char up_axis_of(const ViewOptions& options, const std::string& format)
 {
     if (!options.up_axis.empty())
         return options.up_axis[0];
-    return format == "stl" || format == "3mf" ? 'z' : 'y';
+    return usual_up_axis(format);
 }
 
-Sheet place_cameras(const ViewOptions& options, const Scene& scene, char up_axis)
+Sheet place_cameras(const ViewOptions& options, const Subject& subject, char up_axis)
 {
     Sheet sheet;
-    if (!options.camera_file.empty()) {
-        sheet.cameras = {read_camera(options)};
+    if (is_whole(options)) {
+        sheet.cameras = {whole_camera(options)};
         lay_out(sheet);
         return sheet;
     }
     const ivec2 grid = grid_of(std::max<std::size_t>(1, options.views.size()));
     const ivec2 picture = max((options.size.empty() ? default_size : parse_size(options.size)) / grid, ivec2(1));
     if (options.eye.empty())
-        sheet.cameras = framed_cameras(options, scene, up_axis, picture);
+        sheet.cameras = framed_cameras(options, subject, up_axis, picture);
     else
-        sheet.cameras = {placed_camera(options, scene.bounds, up_axis, picture)};
+        sheet.cameras = {placed_camera(options, subject.bounds, up_axis, picture)};
     if (!options.scale.empty())
-        apply_scale(options, scene.bounds, sheet);
+        apply_scale(options, subject.bounds, sheet);
     lay_out(sheet);
     return sheet;
 }
 
-std::vector<Sheet> turntable(const ViewOptions& options, const Scene& scene, char up_axis, int count)
+std::vector<Sheet> turntable(const ViewOptions& options, const Subject& subject, char up_axis, int count)
 {
-    const Sheet still = place_cameras(options, scene, up_axis);
-    const bool framed = options.eye.empty() && options.camera_file.empty();
-    std::vector<Camera> cameras = framed ? framed_around(options, still.cameras[0], scene, up_axis, count)
-                                         : turned_around(still.cameras[0], scene.bounds, up_axis, count);
+    const Sheet still = place_cameras(options, subject, up_axis);
+    const bool framed = options.eye.empty() && !is_whole(options);
+    std::vector<Camera> cameras = framed ? framed_around(options, still.cameras[0], subject, up_axis, count)
+                                         : turned_around(still.cameras[0], subject.bounds, up_axis, count);
     std::vector<Sheet> sheets(std::size_t(count), still);
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         if (!options.scale.empty())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct ViewOptions {
     std::string scale;       ///< 1:N or ""
     std::string unit = "mm"; ///< length of 1 in the model; for `scale`
     std::string camera_file; ///< JSON, or ""
+    std::optional<limn::Camera> camera; ///< a whole one, as `camera_file` would hold it
     std::string up_axis;     ///< y, z or ""
 };
 
@@ -35,18 +37,18 @@ struct Sheet {
     double mm_per_pixel = 0;          ///< of a true scale; 0: none was asked for
 };
 
-/// 'z' for the formats of 3D printing (stl, 3mf), 'y' otherwise, or what the options say.
+/// What the options say, or limn::usual_up_axis.
 char up_axis_of(const ViewOptions& options, const std::string& format);
 
 /// What the cameras look at.
-struct Scene {
+struct Subject {
     const limn::LineModel& model;
     limn::Bounds bounds;
 };
 
 /// The cameras that the options ask for, around a model.
 /// @throws limn::Error::Input for a value out of its range, limn::Error::Read for a bad camera file.
-Sheet place_cameras(const ViewOptions& options, const Scene& scene, char up_axis);
+Sheet place_cameras(const ViewOptions& options, const Subject& subject, char up_axis);
 
 /// The one camera that the options ask for, turned around the model in `count` equal steps at one distance; a sheet each.
-std::vector<Sheet> turntable(const ViewOptions& options, const Scene& scene, char up_axis, int count);
+std::vector<Sheet> turntable(const ViewOptions& options, const Subject& subject, char up_axis, int count);

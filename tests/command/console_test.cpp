@@ -123,7 +123,7 @@ TEST_F(Stages, OfPreparingAModelAreTold)
     console.progress("starting", 0);
     terminal.wait_for("starting"); // from here on every stage is shown at once
     ModelOptions options;
-    options.files = {torus()};
+    options.objects.emplace_back().file = torus();
     prepare_models(options, console);
     const std::string told = terminal.heard();
     for (const char* stage : {"reading torus.obj", "estimating the surface of torus.obj", "joining faces"})

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,17 @@
 
 namespace limn {
 
+/// What the text of an option stands for: files that know more than text hold a number as a number, and so on.
+enum class OptionKind : std::uint8_t {
+    text,   ///< a word, a number or a list, as the row's range tells
+    number, ///< any number in the range
+    whole,  ///< a whole number in the range
+    choice, ///< one of the words of the range
+    yes_no,
+    colour, ///< "#rrggbb"
+    vector, ///< "x,y,z", or the word that stands in the range after it
+};
+
 /// One option of a technique, as data: the command line, scene files, the help text and the viewer all read this row.
 /// `Options` is the technique's plain struct; the default is whatever a default-made `Options` holds.
 template <class Options> struct OptionRow {
@@ -24,6 +36,7 @@ template <class Options> struct OptionRow {
     std::string help;                                     ///< one line, no full stop
     std::function<void(Options&, std::string_view)> set;  ///< throws Error::Input naming the option, value and range
     std::function<std::string(const Options&)> get;       ///< the value as text that `set` accepts
+    OptionKind kind = OptionKind::text;
 };
 
 template <class Options> using OptionTable = std::vector<OptionRow<Options>>;
@@ -52,7 +65,7 @@ OptionRow<Options> number_row(std::string name, std::string unit, double low, do
         options.*member = Number(value);
     };
     auto get = [=](const Options& options) { return fmt::format("{}", options.*member); };
-    return {name, std::move(unit), range, std::move(help), set, get};
+    return {name, std::move(unit), range, std::move(help), set, get, std::is_integral_v<Number> ? OptionKind::whole : OptionKind::number};
 }
 
 /// A row for one of several named values.
@@ -77,13 +90,15 @@ OptionRow<Options> choice_row(std::string name, std::vector<std::pair<std::strin
                 return word;
         return std::string();
     };
-    return {name, "", range, std::move(help), set, get};
+    return {name, "", range, std::move(help), set, get, OptionKind::choice};
 }
 
 /// A row for a yes/no value.
 template <class Options> OptionRow<Options> switch_row(std::string name, std::string help, bool Options::*member)
 {
-    return choice_row<Options, bool>(std::move(name), {{"yes", true}, {"no", false}}, std::move(help), member);
+    OptionRow<Options> row = choice_row<Options, bool>(std::move(name), {{"yes", true}, {"no", false}}, std::move(help), member);
+    row.kind = OptionKind::yes_no;
+    return row;
 }
 
 } // namespace limn

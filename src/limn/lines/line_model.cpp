@@ -27,18 +27,6 @@ void check(std::span<const PlacedSurface> placed)
 
 dvec3 transform_point(const dmat4& m, const dvec3& p) { return dvec3(m * dvec4(p, 1)); }
 
-Bounds world_bounds(const PlacedSurface& p)
-{
-    Bounds box;
-    const bool moved = p.transform != dmat4(1);
-    if (!moved)
-        return p.mesh->bounds();
-    for (const uvec3& t : p.mesh->triangles)
-        for (int k = 0; k < 3; ++k)
-            box.add(transform_point(p.transform, p.mesh->positions[t[k]]));
-    return box;
-}
-
 /// Appends one placed surface; `offset` is the number of vertices before it.
 void append(LineModel& model, const PlacedSurface& p, std::uint32_t offset)
 {
@@ -131,6 +119,17 @@ void join_connectivities(LineModel& model, std::span<const PlacedSurface> placed
 }
 
 } // namespace
+
+Bounds world_bounds(const PlacedSurface& p)
+{
+    if (p.transform == dmat4(1))
+        return p.mesh->bounds();
+    Bounds box;
+    for (const uvec3& t : p.mesh->triangles)
+        for (int k = 0; k < 3; ++k)
+            box.add(transform_point(p.transform, p.mesh->positions[t[k]]));
+    return box;
+}
 
 View LineModel::view(const Camera& camera) const
 {

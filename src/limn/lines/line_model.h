@@ -74,6 +74,9 @@ struct LineModel {
     std::uint32_t object_of_face(std::uint32_t face) const;
 };
 
+/// The box of a placed mesh's faces, in the world.
+Bounds world_bounds(const PlacedSurface& placed);
+
 /// @throws Error::Input when a surface does not fit its mesh or no mesh is given.
 LineModel build_line_model(std::span<const PlacedSurface> placed);
 

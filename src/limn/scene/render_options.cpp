@@ -33,17 +33,26 @@ OptionRow<O> vector_row(std::string name, std::string otherwise, std::string hel
         options.*member = text == otherwise ? std::nullopt : std::optional(parse_vector(name, text));
     };
     auto get = [=](const O& options) { return vector_text(options.*member, otherwise); };
-    return {name, "", "x,y,z|" + otherwise, std::move(help), set, get};
+    return {name, "", "x,y,z|" + otherwise, std::move(help), set, get, OptionKind::vector};
 }
 
-OptionRow<O> colour_row(std::string name, std::string help, vec3 O::*member)
+template <class Options> OptionRow<Options> colour_row(std::string name, std::string help, vec3 Options::*member)
 {
-    auto set = [=](O& options, std::string_view text) { options.*member = colour_from_text(name, text); };
-    auto get = [=](const O& options) { return colour_text(options.*member); };
-    return {name, "", "#rrggbb", std::move(help), set, get};
+    auto set = [=](Options& options, std::string_view text) { options.*member = colour_from_text(name, text); };
+    auto get = [=](const Options& options) { return colour_text(options.*member); };
+    return {name, "", "#rrggbb", std::move(help), set, get, OptionKind::colour};
 }
 
 } // namespace
+
+const OptionTable<Material>& material_option_table()
+{
+    static const OptionTable<Material> table = {
+        colour_row("colour", "of lit places", &Material::colour),
+        number_row("unlit", "", 0, 1, "tone of unlit places, as a part of the colour", &Material::unlit),
+    };
+    return table;
+}
 
 Material default_material(const RenderOptions& options) { return {options.colour, options.shade}; }
 

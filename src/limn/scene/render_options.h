@@ -29,6 +29,9 @@ Material default_material(const RenderOptions& options);
 /// @param up  of the world, unit; for the ground
 ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene, const dvec3& up);
 
+/// The numbers of a material as data.
+const OptionTable<Material>& material_option_table();
+
 /// The options above as data.
 const OptionTable<RenderOptions>& render_option_table();
 

@@ -1,6 +1,8 @@
-#include "nearest.h"
+#include "limn/base/nearest.h"
 
 #include <algorithm>
+
+namespace limn {
 
 int edit_distance(std::string_view a, std::string_view b)
 {
@@ -31,3 +33,5 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
         }
     return best;
 }
+
+} // namespace limn

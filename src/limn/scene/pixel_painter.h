@@ -7,16 +7,25 @@
 
 #include "limn/gpu/context.h"
 #include "limn/lines/image_lines.h"
+#include "limn/lines/line_model.h"
 #include "limn/lines/shader_lines.h"
 #include "limn/raycast/shading.h"
-#include "pictures.h"
+
+namespace limn {
+
+/// A model as lines and rays see it.
+struct SeenModel {
+    const LineModel& lines;
+    const SeenScene& scene; ///< seen_scene of `lines`
+    dvec3 up;               ///< of the world
+};
 
 /// What is decided pixel by pixel: lit surfaces and the lines found in them.
 struct PixelOptions {
-    limn::ShadeOptions shade;
-    limn::ImageLineOptions image_lines;
-    limn::ShaderLineOptions shader_lines;
-    limn::vec3 ink = limn::vec3(0); ///< colour of such lines
+    ShadeOptions shade;
+    ImageLineOptions image_lines;
+    ShaderLineOptions shader_lines;
+    vec3 ink = vec3(0); ///< colour of such lines
 };
 
 /// Paints models on the processor or a GPU, and keeps what it made of a model from view to view.
@@ -25,21 +34,23 @@ public:
     using Say = std::function<void(const std::string&)>;
     /// @param device  "cpu"; "gpu": any driver, Mesa's software renderer too; "auto": a graphics card where there is one that works
     /// @param say     hears, in one line, when "auto" finds a graphics card that does not do its work
-    /// @throws limn::Error::Device where "gpu" was asked for and there is no driver.
+    /// @throws Error::Device where "gpu" was asked for and there is no driver.
     PixelPainter(const std::string& device, Say say);
     ~PixelPainter();
 
-    /// @throws limn::Error::Device where "gpu" was asked for and it fails at its work.
-    limn::Image paint(const SeenModel& model, const limn::Camera& camera, const PixelOptions& options);
+    /// @throws Error::Device where "gpu" was asked for and it fails at its work.
+    Image paint(const SeenModel& model, const Camera& camera, const PixelOptions& options);
     /// "processor", or the name of the GPU.
     std::string device() const;
 
 private:
-    limn::Image paint_once(const SeenModel& model, const limn::Camera& camera, const PixelOptions& options);
+    Image paint_once(const SeenModel& model, const Camera& camera, const PixelOptions& options);
 
     Say say_;
     bool may_fall_back_ = false;
-    std::optional<limn::gpu::Context> context_;
+    std::optional<gpu::Context> context_;
     struct OnGpu;
     std::unique_ptr<OnGpu> on_gpu_; ///< after the context: it goes first
 };
+
+} // namespace limn

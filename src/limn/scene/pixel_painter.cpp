@@ -1,12 +1,11 @@
-#include "pixel_painter.h"
+#include "limn/scene/pixel_painter.h"
 
 #include "limn/base/error.h"
 #include "limn/gpu/field_view.h"
 #include "limn/gpu/lit_view.h"
 #include "limn/gpu/surface_view.h"
 
-using namespace limn;
-
+namespace limn {
 namespace {
 
 /// Lines are found at so many times the picture's size and averaged, so that they are not jagged.
@@ -130,3 +129,5 @@ Image PixelPainter::paint_once(const SeenModel& model, const Camera& camera, con
     }
     return picture;
 }
+
+} // namespace limn

@@ -1,0 +1,82 @@
+#include "limn/scene/render.h"
+
+#include <fmt/format.h>
+
+#include "limn/base/error.h"
+#include "limn/drawing/raster.h"
+#include "limn/geometry/read_mesh.h"
+#include "limn/lines/draw.h"
+#include "limn/lines/feature_size.h"
+#include "limn/lines/prepare.h"
+#include "limn/lines/regions.h"
+
+namespace limn {
+namespace {
+
+void check_transforms(const Scene& scene)
+{
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (const std::string fault = transform_fault(scene.objects[i].transform); !fault.empty())
+            throw Error::Input(fmt::format("objects[{}]: the transform {}", i, fault));
+}
+
+Mesh mesh_of(const SceneObject& object) { return object.mesh ? *object.mesh : read_mesh(object.file, {.format = object.format}); }
+
+} // namespace
+
+SceneModel prepare_scene(const Scene& scene)
+{
+    check_transforms(scene);
+    PrepareOptions options;
+    options.estimate = scene.surface;
+    options.estimate.need = scene.shader_lines.method == ShaderMethod::off ? surface_need(scene.lines) : Need::derivative;
+    options.crease.angle = scene.lines.crease_angle;
+    const std::vector<std::size_t> first = first_of_same_model(scene.objects);
+    std::map<std::size_t, PreparedMesh> meshes; // by the first object that shows it
+    std::vector<PlacedSurface> placed;
+    Bounds bounds;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (first[i] == i)
+            meshes.emplace(i, prepare_mesh(mesh_of(scene.objects[i]), options));
+        placed.push_back(meshes.at(first[i]).placed(scene.objects[i].transform));
+        bounds.add(world_bounds(placed.back()));
+    }
+    LineModel lines = build_line_model(placed);
+    RayScene rays = build_ray_scene(lines);
+    return {std::move(lines), std::move(rays), bounds};
+}
+
+PixelOptions pixel_options(const Scene& scene, const LineModel& model, const SeenScene& seen)
+{
+    PixelOptions options;
+    options.shade = shade_options(lit_by(scene.lights, scene.render), seen, up_vector(up_axis_of(scene)));
+    options.shade.materials = object_materials(scene, default_material(scene.render));
+    options.image_lines = scene.image_lines;
+    options.shader_lines = scene.shader_lines;
+    if (scene.shader_lines.method != ShaderMethod::off) {
+        options.shader_lines.suggestive_limit = float(scene.lines.suggestive_limit);
+        options.shader_lines.feature_size = model_feature_size(model, scene.lines.feature_size);
+    }
+    options.ink = scene.style.line(LineType::contour).colour;
+    return options;
+}
+
+Image render(const Scene& scene, const SceneModel& model, const Camera& camera, const std::string& device)
+{
+    const SeenScene seen = seen_scene(model.lines, model.rays);
+    PixelPainter painter(device, [](const std::string&) {});
+    const Image picture = painter.paint({model.lines, seen, up_vector(up_axis_of(scene))}, camera, pixel_options(scene, model.lines, seen));
+    if (scene.lines.lines.empty())
+        return picture;
+    Style style = scene.style;
+    style.page = {}; // of drawings
+    return lay_over(picture, draw(scene, model, camera), style);
+}
+
+Image render(const Scene& scene, const Camera& camera) { return render(scene, prepare_scene(scene), camera); }
+
+Drawing draw(const Scene& scene, const SceneModel& model, const Camera& camera) { return draw_lines(model.lines, model.rays, camera, scene.lines); }
+
+Drawing draw(const Scene& scene, const Camera& camera) { return draw(scene, prepare_scene(scene), camera); }
+
+} // namespace limn
