@@ -33,7 +33,9 @@ render render-smooth knot
 render render-toon knot --shading toon --toon-levels 3 --light 2,-3,4 --lines illustration
 render render-flat cylinder --shading flat --lines technical --light 2,-3,5
 render render-dark blob --style dark --surface-colour '#555555' --lines contour,suggestive,highlight
-render shader-lines blob --shader-lines width
+for method in width texture; do
+    render "shader-lines-$method" blob --shader-lines "$method"
+done
 for method in threshold depth-raw depth valley valley-printed; do
     build/limn render "$models/blob.ply" --up-axis z --quiet --size 240x200 -o "$models/$method.png" --image-lines "$method" --unlit 1 --surface-colour '#ffffff'
 done
