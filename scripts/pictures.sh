@@ -36,7 +36,9 @@ render render-dark blob --style dark --surface-colour '#555555' --lines contour,
 sample torus 200000
 cp docs/scene.json "$models"
 build/limn render "$models/scene.json" --quiet -o docs/images/scene.png
-render shader-lines blob --shader-lines width
+for method in width texture; do
+    render "shader-lines-$method" blob --shader-lines "$method"
+done
 for method in threshold depth-raw depth valley valley-printed; do
     build/limn render "$models/blob.ply" --up-axis z --quiet --size 240x200 -o "$models/$method.png" --image-lines "$method" --unlit 1 --surface-colour '#ffffff'
 done

@@ -30,7 +30,7 @@ constexpr const char* examples = R"(Examples:
   limn render part.stl -o part.png --background '#ffffff' --view 30,20 --size 1280x720 --bits 16
   limn render vase.glb -o turn.png --turntable 24
   limn render scene.json -o scene.png --view 30,20
-  limn render bunny.ply -o data.exr --pass ndotv,kr,dwkr,depth,normal,id,lines --lines contour --cameras cameras.json)";
+  limn render bunny.ply -o data.exr --pass kr,depth,normal,id --cameras cameras.json)";
 
 struct RenderCommand {
     PictureCommand pictures;

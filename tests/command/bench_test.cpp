@@ -62,6 +62,33 @@ TEST(Bench, MeasuresEveryMethodOfPicturesBesideTheStudy)
     EXPECT_EQ(run_limn(LIMN_COMMAND, "bench render --models torus,blob").exit_code, 2);
 }
 
+// Checklist item 26 of the contour-lines specification: every method per pixel against the lines of the objects' space.
+TEST(Bench, AgreementHoldsEveryMethodOnShapesAndFiles)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_limn(LIMN_COMMAND, "sample blob --triangles 20000 --quiet -o " + (folder / "b.ply").string()).exit_code, 0);
+    const ProgramResult result =
+        run_limn(LIMN_COMMAND, "bench agreement --sizes 20k --views 2 --edges 256 --quiet --json --models rings," + (folder / "b.ply").string());
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const nlohmann::json report = nlohmann::json::parse(result.output);
+    ASSERT_EQ(report["models"].size(), 2u);
+    EXPECT_EQ(report["models"][1]["model"], "b.ply");
+    for (const nlohmann::json& model : report["models"]) {
+        ASSERT_EQ(model["methods"].size(), 7u);
+        for (const nlohmann::json& method : model["methods"]) {
+            EXPECT_GT(method["precision"], 0.5) << method;
+            EXPECT_GT(method["recall"], 0.3) << method;
+            EXPECT_LT(method["chamfer_px"], 10) << method;
+        }
+        // What sees the surface's curvature finds both kinds of line; what sees depth finds contours.
+        EXPECT_GT(model["methods"][1]["f1"], 0.95) << model["methods"][1];
+        EXPECT_GE(model["methods"][1]["recall"], model["methods"][4]["recall"]);
+    }
+    const ProgramResult unknown = run_limn(LIMN_COMMAND, "bench agreement --models nothing.ply --quiet");
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.errors.find("nothing.ply"), std::string::npos) << unknown.errors;
+}
+
 TEST(Bench, NamesWhatItCannotMeasure)
 {
     const ProgramResult unknown = run_limn(LIMN_COMMAND, "bench cheese");

@@ -13,7 +13,12 @@ namespace {
 
 class GpuImageLines : public Gpu {};
 
-constexpr ImageMethod all_methods[] = {ImageMethod::threshold, ImageMethod::depth_raw, ImageMethod::depth, ImageMethod::valley_printed, ImageMethod::valley};
+struct Setting {
+    ImageMethod method;
+    float radius_scale;
+};
+constexpr Setting all_settings[] = {{ImageMethod::threshold, 0}, {ImageMethod::depth_raw, 0},         {ImageMethod::depth, 0},    {ImageMethod::valley_printed, 0},
+                                    {ImageMethod::valley, 0},    {ImageMethod::valley_printed, 0.04f}, {ImageMethod::valley, 0.04f}};
 
 LineFields fields_of(const StagedShape& stage, const Camera& camera)
 {
@@ -36,9 +41,11 @@ TEST_F(GpuImageLines, FindThePixelsThatTheProcessorFinds)
         for (const char* name : {"blob", "rings", "bumpy-torus"}) {
             const StagedShape stage(name, 40000);
             const LineFields fields = fields_of(stage, stage.camera({301, 203}, orthographic));
-            for (const ImageMethod method : all_methods) {
+            for (const Setting& setting : all_settings) {
+                const ImageMethod method = setting.method;
                 ImageLineOptions options;
                 options.method = method;
+                options.radius_scale = setting.radius_scale;
                 const Image processor = find_image_lines(fields, options), device = finder.find(fields, options);
                 const std::size_t differ = differing(processor, device), lines = std::size_t(std::count(processor.samples.begin(), processor.samples.end(), 1.0f));
                 EXPECT_GT(lines, 100u) << name << " method " << int(method);
@@ -57,9 +64,11 @@ TEST_F(GpuImageLines, AreThoseOfTheProcessorWhenTheDeviceDrawsTheModelToo)
             const Camera camera = stage.camera({301, 203}, orthographic);
             const LineFields fields = fields_of(stage, camera);
             gpu::FieldRenderer renderer(stage.model);
-            for (const ImageMethod method : all_methods) {
+            for (const Setting& setting : all_settings) {
+                const ImageMethod method = setting.method;
                 ImageLineOptions options;
                 options.method = method;
+                options.radius_scale = setting.radius_scale;
                 const Image device = gpu::draw_image_lines(renderer, finder, camera, options);
                 const std::size_t differ = differing(device, find_image_lines(fields, options));
                 fmt::print("[ fields   ] {}{}, method {}: {} of {} pixels differ\n", name, orthographic ? ", orthographic" : "", int(method), differ, device.samples.size());
@@ -74,9 +83,11 @@ TEST_F(GpuImageLines, LargePicturesArePutTogetherFromTiles)
     const StagedShape stage("blob", 20000);
     gpu::FieldRenderer renderer(stage.model);
     const Camera camera = stage.camera({230, 170});
-    for (const ImageMethod method : all_methods) {
+    for (const Setting& setting : all_settings) {
+        const ImageMethod method = setting.method;
         ImageLineOptions options;
         options.method = method;
+        options.radius_scale = setting.radius_scale;
         options.radius = 9;
         const Image whole = gpu::draw_image_lines(renderer, finder, camera, options), tiled = gpu::draw_image_lines(renderer, finder, camera, options, 64);
         EXPECT_LE(differing(whole, tiled), whole.samples.size() / 2000) << int(method);

@@ -123,7 +123,7 @@ TEST(Passes, WholeNumbersGiveTheValuesBackWithinAStep)
 TEST(Passes, AreNamedOnTheCommandLineAndSayWhatTheyNeed)
 {
     EXPECT_EQ(passes_from_text("kr,depth,kr"), (std::vector<Pass>{Pass::kr, Pass::depth}));
-    EXPECT_EQ(passes_from_text("all").size(), 9u);
+    EXPECT_EQ(passes_from_text("all").size(), 10u);
     EXPECT_TRUE(passes_from_text("").empty());
     EXPECT_THROW(passes_from_text("kr,cheese"), Error::Input);
     EXPECT_EQ(pass_need(std::vector{Pass::depth}), Need::normals);

@@ -9,6 +9,12 @@
 // M8: dark under the headlight.
 FORMULA bool is_dark(const ivec2 at, const float limit) { return pixel(at) < limit; }
 
+// M10: the radius of the window where it follows the distance, pixels; `reach` is that where the nearness is 1.
+FORMULA int radius_at(const ivec2 at, const float reach, const float relative)
+{
+    return clamp(int(reach * mix(1.0f, nearness(at), relative) + 0.5f), 1, 64);
+}
+
 // M9 as the thesis has it.
 FORMULA bool is_depth_edge_raw(const ivec2 at, const float limit)
 {

@@ -13,7 +13,7 @@ constexpr unsigned range_at = 6; // as in depth_range.comp and fields.comp
 DeviceFields make_fields(ivec2 size)
 {
     const std::size_t count = std::size_t(size.x) * std::size_t(size.y);
-    return {size, false, Buffer(count * 4), Buffer(count * 4), Buffer(count * 4), Buffer(count * 16), Buffer(count * 4)};
+    return {size, false, 0, Buffer(count * 4), Buffer(count * 4), Buffer(count * 4), Buffer(count * 16), Buffer(count * 4)};
 }
 
 void bind(const DeviceFields& f)
@@ -36,7 +36,9 @@ void dispatch(const Program& program, const Framebuffer& picture)
 /// How far a filter looks around a pixel.
 int reach(const ImageLineOptions& options)
 {
-    return options.method == ImageMethod::valley || options.method == ImageMethod::valley_printed ? options.radius : 1;
+    if (options.method != ImageMethod::valley && options.method != ImageMethod::valley_printed)
+        return 1;
+    return options.radius_scale > 0 ? 64 : options.radius; // as far as radius_at goes
 }
 
 } // namespace
@@ -94,6 +96,7 @@ const DeviceFields& FieldRenderer::fields(const Camera& camera, const Tile& tile
     target_->fields.orthographic = camera.orthographic;
     fields_.set("orthographic", int(camera.orthographic));
     const Projector projector(model_, camera);
+    target_->fields.pixels_per_radius = float(projector.scale); // the model's frame has radius 1
     fields_.set("middle", float(-glm::dot(projector.eye, projector.forward)));
     dispatch(fields_, target_->picture);
     return target_->fields;

@@ -37,6 +37,7 @@ void ImageLineFinder::run(const DeviceFields& fields, const ImageLineOptions& op
     program_.set("least_cosine", std::cos(options.fold_degrees * std::numbers::pi_v<float> / 180));
     program_.set("relative", fields.orthographic ? 0.0f : 1.0f);
     program_.set("radius", options.radius);
+    program_.set("reach", options.radius_scale * fields.pixels_per_radius);
     program_.set("darker", options.darker);
     program_.use();
     glDispatchCompute(unsigned(fields.size.x + 15) / 16, unsigned(fields.size.y + 15) / 16, 1);
@@ -56,7 +57,7 @@ Image ImageLineFinder::find(const DeviceFields& fields, const ImageLineOptions& 
 
 Image ImageLineFinder::find(const LineFields& f, const ImageLineOptions& options) const
 {
-    return find(DeviceFields{f.size, f.orthographic, Buffer(f.intensity), Buffer(f.window_depth), Buffer(f.nearness), Buffer(f.normals), Buffer(f.ids)}, options);
+    return find(DeviceFields{f.size, f.orthographic, f.pixels_per_radius, Buffer(f.intensity), Buffer(f.window_depth), Buffer(f.nearness), Buffer(f.normals), Buffer(f.ids)}, options);
 }
 
 } // namespace limn::gpu

@@ -10,6 +10,7 @@ namespace limn::gpu {
 struct DeviceFields {
     ivec2 size = ivec2(0);
     bool orthographic = false;
+    float pixels_per_radius = 0;
     Buffer intensity, window_depth, nearness, normals, ids;
 };
 

@@ -39,12 +39,14 @@ using O = ImageLineOptions;
 
 bool is_line(formulas::PictureFields fields, const ivec2& p, const ImageLineOptions& o, float least_cosine)
 {
+    const float relative = fields.fields->orthographic ? 0.0f : 1.0f;
+    const auto radius = [&] { return o.radius_scale > 0 ? fields.radius_at(p, o.radius_scale * fields.fields->pixels_per_radius, relative) : o.radius; };
     switch (o.method) {
     case ImageMethod::threshold: return fields.is_dark(p, o.dark);
     case ImageMethod::depth_raw: return fields.is_depth_edge_raw(p, o.sobel);
-    case ImageMethod::depth: return fields.is_depth_edge(p, o.step, least_cosine, fields.fields->orthographic ? 0.0f : 1.0f);
-    case ImageMethod::valley_printed: return fields.is_valley_as_printed(p, o.radius);
-    case ImageMethod::valley: return fields.is_valley(p, o.radius, o.darker, o.contrast);
+    case ImageMethod::depth: return fields.is_depth_edge(p, o.step, least_cosine, relative);
+    case ImageMethod::valley_printed: return fields.is_valley_as_printed(p, radius());
+    case ImageMethod::valley: return fields.is_valley(p, radius(), o.darker, o.contrast);
     case ImageMethod::off: return false;
     }
     return false;
@@ -54,7 +56,7 @@ bool is_line(formulas::PictureFields fields, const ivec2& p, const ImageLineOpti
 
 LineFields line_fields(const GBuffer& seen, const Camera& camera, const SeenScene& scene, double radius)
 {
-    LineFields fields = {seen.size, camera.orthographic, {}, {}, {}, {}, {}};
+    LineFields fields = {seen.size, camera.orthographic, float(radius * camera.pixels_per_unit(1)), {}, {}, {}, {}, {}};
     const std::size_t count = seen.depths.size();
     float nearest = HUGE_VALF, farthest = 0;
     for (std::size_t i = 0; i < count; ++i)
@@ -116,6 +118,7 @@ const OptionTable<ImageLineOptions>& image_line_option_table()
         number_row("step-limit", "", 0, 1e9, "depth: step as a part of the depth", &O::step),
         number_row("fold-limit", "degrees", 0, 180, "depth: turn of the normal from pixel to pixel", &O::fold_degrees),
         number_row("valley-radius", "px", 1, 64, "valleys: radius of the window", &O::radius),
+        number_row("valley-scale", "", 0, 1, "valleys: radius as a part of the model's, so that it follows the distance; 0: --valley-radius", &O::radius_scale),
         number_row("valley-darker", "", 0, 1, "valley: largest part of the window that is darker", &O::darker),
         number_row("valley-contrast", "", 0, 1, "valley: how much brighter something in the window is", &O::contrast),
     };

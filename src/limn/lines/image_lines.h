@@ -26,6 +26,7 @@ struct ImageLineOptions {
     float step = 0.01f;         ///< depth: step, as a part of the depth (of the scene's radius in orthographic views)
     float fold_degrees = 40;    ///< depth: turn of the normal from one pixel to the next
     int radius = 3;             ///< valleys: of the window, pixels, 1..64
+    float radius_scale = 0;     ///< valleys: the radius as a part of the scene's, so that it follows the distance, 0..1; 0: `radius`
     float darker = 0.2f;        ///< valley: largest part of the window that may be darker, 0..1
     float contrast = 0.1f;      ///< valley: by how much something in the window must be brighter, 0..1
 };
@@ -34,6 +35,7 @@ struct ImageLineOptions {
 struct LineFields {
     ivec2 size = ivec2(0);
     bool orthographic = false;
+    float pixels_per_radius = 0; ///< that the scene's radius spans where nearness is 1; anywhere in orthographic views
     std::vector<float> intensity, window_depth, nearness;
     std::vector<vec4> normals; ///< w unused
     std::vector<std::uint32_t> ids;

@@ -14,6 +14,7 @@ uniform float limit;        // of the method: dark, sobel, step or contrast
 uniform float least_cosine;
 uniform float relative;
 uniform int radius;
+uniform float reach;         // above 0: the radius where nearness is 1, px, instead
 uniform float darker;
 
 int index(const ivec2 p)
@@ -36,6 +37,7 @@ void main()
     if (at.x >= size.x || at.y >= size.y)
         return;
     bool line = false;
+    int window = reach > 0.0f ? radius_at(at, reach, relative) : radius;
     if (method == 0)
         line = is_dark(at, limit);
     else if (method == 1)
@@ -43,8 +45,8 @@ void main()
     else if (method == 2)
         line = is_depth_edge(at, limit, least_cosine, relative);
     else if (method == 3)
-        line = is_valley_as_printed(at, radius);
+        line = is_valley_as_printed(at, window);
     else if (method == 4)
-        line = is_valley(at, radius, darker, limit);
+        line = is_valley(at, window, darker, limit);
     lines[index(at)] = line ? 1u : 0u;
 }
