@@ -21,7 +21,7 @@ struct DeviceSegment {
     vec4 a, b;
     std::uint32_t face, id_a, id_b, other;
 };
-constexpr std::size_t command_bytes = 4 * sizeof(unsigned);
+constexpr std::size_t command_bytes = 4 * sizeof(unsigned), fill_groups_at = 3 * command_bytes; // as in extract_commands.comp
 
 std::size_t blocks_of(std::size_t elements) { return (elements + block_size - 1) / block_size; }
 
@@ -37,15 +37,12 @@ std::size_t storage_bytes(std::size_t count, std::size_t size, const char* what)
     return count * size;
 }
 
-Buffer upload(const std::vector<vec4>& data) { return Buffer(storage_bytes(data.size(), sizeof(vec4), "vertices"), data.data()); }
-
 /// One vec4 per vertex.
 template <class At> Buffer upload_vertices(std::size_t count, At&& at)
 {
-    storage_bytes(count, sizeof(vec4), "vertices");
     std::vector<vec4> data(count);
     parallel_each(count, grain, [&](std::size_t i) { data[i] = at(i); });
-    return upload(data);
+    return Buffer(data);
 }
 
 Buffer upload_creases(const LineModel& m)
@@ -63,6 +60,7 @@ const LineModel& checked(const LineModel& model)
     if (model.normals.empty())
         throw Error::Input("a line drawing needs the normals of the surface");
     storage_bytes(model.faces.size(), sizeof(uvec3), "faces");
+    storage_bytes(model.vertex_count(), sizeof(vec4), "vertices");
     return model;
 }
 
@@ -108,19 +106,17 @@ Segment from_device(const LineModel& model, const DeviceSegment& s)
 LineExtractor::LineExtractor(const LineModel& model)
     : model_(checked(model)), face_blocks_(blocks_of(model.faces.size())), blocks_(face_blocks_ + blocks_of(3 * model.split_edges.size())),
       vertices_program_(load_program({"extract_vertices.comp"})), count_program_(load_program({"extract_count.comp"})),
-      commands_program_(load_program({"extract_commands.comp"})), fill_program_(load_program({"extract_fill.comp"})), faces_(model.faces),
-      creases_(upload_creases(model)), commands_(3 * command_bytes), scan_(blocks_)
+      commands_program_(load_program({"extract_commands.comp"})), fill_program_(load_program({"extract_fill.comp"})), geometry_(model),
+      creases_(upload_creases(model)), commands_(4 * command_bytes), scan_(blocks_)
 {
     const std::size_t n = model.vertex_count();
-    positions_ = upload_vertices(n, [&](std::size_t i) { return vec4(model.positions[i], 1); });
-    normals_ = upload_vertices(n, [&](std::size_t i) { return vec4(model.normals[i], model.has_derivative() ? model.k1[i] : 0); });
     if (model.has_derivative()) {
-        e1_ = upload_vertices(n, [&](std::size_t i) { return vec4(model.e1[i], model.k2[i]); });
-        e2_ = upload_vertices(n, [&](std::size_t i) { return vec4(model.e2[i], 0); });
-        derivatives_ = upload(model.derivative);
-        speeds_ = Buffer(storage_bytes(n, sizeof(vec2), "vertices"));
+        e1_ = upload_vertices(n, [&](std::size_t i) { return vec4(model.e1[i], model.k1[i]); });
+        e2_ = upload_vertices(n, [&](std::size_t i) { return vec4(model.e2[i], model.k2[i]); });
+        derivatives_ = Buffer(model.derivative);
+        speeds_ = Buffer(n * sizeof(vec2));
     }
-    values_ = Buffer(storage_bytes(n, sizeof(vec4), "vertices"));
+    values_ = Buffer(n * sizeof(vec4));
     found_ = Buffer(blocks_ * words_per_block * sizeof(unsigned));
     segments_ = Buffer(0);
     vertices_program_.set("vertex_count", unsigned(n));
@@ -151,7 +147,8 @@ void LineExtractor::find(const View& view, const ClusterRequest& request) const
 {
     for (const Program* program : {&vertices_program_, &count_program_, &fill_program_})
         set_view(*program, view, request);
-    positions_.bind_storage(0);
+    geometry_.positions.bind_storage(0);
+    geometry_.normals.bind_storage(1);
     values_.bind_storage(2);
     if (model_.has_derivative()) {
         speeds_.bind_storage(3);
@@ -159,12 +156,11 @@ void LineExtractor::find(const View& view, const ClusterRequest& request) const
         e2_.bind_storage(5);
         derivatives_.bind_storage(6);
     }
-    normals_.bind_storage(1);
     vertices_program_.use();
     dispatch_groups(blocks_of(model_.vertex_count()));
 
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    faces_.bind_storage(1);
+    geometry_.faces.bind_storage(1);
     creases_.bind_storage(4);
     found_.bind_storage(5);
     scan_.sums().bind_storage(6);
@@ -180,7 +176,7 @@ void LineExtractor::fill() const
         for (const Buffer* buffer : buffers)
             buffer->bind_storage(binding++);
     };
-    bind({&positions_, &faces_, &values_, &speeds_, &creases_, &found_, &scan_.sums(), &commands_});
+    bind({&geometry_.positions, &geometry_.faces, &values_, &speeds_, &creases_, &found_, &scan_.sums(), &commands_});
     commands_program_.set("capacity", unsigned(capacity_));
     commands_program_.use();
     glDispatchCompute(1, 1, 1);
@@ -188,7 +184,10 @@ void LineExtractor::fill() const
     segments_.bind_storage(7);
     fill_program_.set("capacity", unsigned(capacity_));
     fill_program_.use();
-    dispatch_groups(blocks_);
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands_.id());
+    glDispatchComputeIndirect(GLintptr(fill_groups_at));
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 

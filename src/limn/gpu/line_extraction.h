@@ -1,6 +1,7 @@
 #pragma once
 
 #include "limn/gpu/block_scan.h"
+#include "limn/gpu/model_buffers.h"
 #include "limn/gpu/program.h"
 #include "limn/gpu/resources.h"
 #include "limn/lines/cluster_extract.h"
@@ -12,11 +13,10 @@ namespace limn::gpu {
 /// extract_contours and extract_suggestive, in the same order, from the same formula texts. A face may differ where a quantity is within
 /// rounding of zero.
 ///
-/// A view takes four passes: quantities at the vertices; a bit for each face and kind of line; prefix sums of their number; one segment
-/// for each bit, written to its place. Nothing depends on the order in which the device works. Segments stay on the device, with commands
+/// A view takes four passes: quantities at the vertices; a bit for each face and kind of line; prefix sums of their number; and
+/// for each segment a search for its bit. Nothing depends on the order in which the device works. Segments stay on the device, with commands
 /// that draw them, and nothing is read back but by complete() and read().
 ///
-/// Buffers: positions, faces, segments (see shaders/segments.glsl): first all contours, then suggestive contours, then highlights.
 /// Needs a Context.
 class LineExtractor {
 public:
@@ -39,10 +39,10 @@ public:
     ClusterLines read();
 
     const LineModel& model() const { return model_; }
-    const Buffer& positions() const { return positions_; } ///< vec4 per vertex
-    const Buffer& faces() const { return faces_; }         ///< three unsigned per face
+    const ModelBuffers& geometry() const { return geometry_; }
+    /// See shaders/segments.glsl: first all contours, then suggestive contours, then highlights.
     const Buffer& segments() const { return segments_; }
-    /// Three commands of glDrawArraysIndirect, one for each kind: six vertices for each segment, the first of segment i being 6 i.
+    /// Begins with three commands of glDrawArraysIndirect, one for each kind: six vertices for each segment, the first of segment i being 6 i.
     const Buffer& commands() const { return commands_; }
     std::size_t capacity() const { return capacity_; }     ///< segments that there is room for
 
@@ -54,7 +54,8 @@ private:
     const LineModel& model_;
     std::size_t face_blocks_, blocks_;
     Program vertices_program_, count_program_, commands_program_, fill_program_;
-    Buffer positions_, normals_, e1_, e2_, derivatives_, faces_, creases_;
+    ModelBuffers geometry_;
+    Buffer e1_, e2_, derivatives_, creases_;
     Buffer values_, speeds_, found_, commands_, segments_;
     BlockScan scan_;
     std::size_t capacity_ = 0;

@@ -1,4 +1,5 @@
-// One thread: commands that draw what was found, six vertices for each segment, one command for each kind.
+// One thread: the number of work-groups that write what was found, and commands that draw it, six vertices for each segment, one command
+// for each kind.
 layout(local_size_x = 1) in;
 struct Command {
     uint count;
@@ -7,7 +8,7 @@ struct Command {
     uint base_instance;
 };
 layout(std430, binding = 6) readonly buffer Sums { uvec4 sums[]; };
-layout(std430, binding = 7) writeonly buffer Commands { Command commands[]; };
+layout(std430, binding = 7) writeonly buffer Commands { Command commands[3]; uvec4 groups; };
 uniform uint total; // where the sum of all is
 uniform uint capacity;
 
@@ -20,4 +21,6 @@ void main()
         commands[kind] = Command(6u * held, 1u, 6u * first, 0u);
         first += number[kind];
     }
+    uint needed = (min(first, capacity) + 255u) / 256u;
+    groups = uvec4(min(needed, 32768u), (needed + 32767u) / 32768u, 1u, 0u);
 }

@@ -1,4 +1,4 @@
-// One thread an element: writes the segments that the bits of extract_count.comp tell of, each to its place.
+// One thread a segment: finds the element whose bit stands for it (extract_count.comp), and writes it.
 #include "limn/gpu/shaders/extraction_elements.glsl"
 #include "limn/gpu/shaders/segments.glsl"
 
@@ -42,33 +42,58 @@ Segment crease_segment(const uint element)
                    part.own_back ? own : twin);
 }
 
-/// How many of a kind come before an element of a block.
-uint rank(const uint block, const uint kind, const uint lane)
+/// The last place in sums[first ... first + count) with no more than `before` of a kind before it.
+uint last_not_after(const uint first, const uint count, const uint kind, const uint before)
 {
-    uint before = sums[block][kind] + sums[level1 + block / 256u][kind] + sums[level2 + block / 65536u][kind];
-    uint first = (block * KINDS + kind) * WORDS;
-    for (uint word = 0u; word < lane / 32u; ++word)
-        before += uint(bitCount(found[first + word]));
-    return before + uint(bitCount(found[first + lane / 32u] & ((1u << (lane % 32u)) - 1u)));
+    uint low = 0u;
+    uint high = count;
+    while (high - low > 1u) {
+        uint middle = (low + high) / 2u;
+        if (sums[first + middle][kind] <= before)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/// The element that holds line number `n` of a kind: down the levels of sums to its block, then to its bit.
+uint element_of(const uint kind, const uint n)
+{
+    uint left = n;
+    uint above = last_not_after(level2, total - level2, kind, left);
+    left -= sums[level2 + above][kind];
+    uint begin = 256u * above;
+    above = begin + last_not_after(level1 + begin, min(256u, level2 - level1 - begin), kind, left);
+    left -= sums[level1 + above][kind];
+    begin = 256u * above;
+    uint block = begin + last_not_after(begin, min(256u, block_count - begin), kind, left);
+    left -= sums[block][kind];
+    uint word = (block * KINDS + kind) * WORDS;
+    uint lane = 0u;
+    for (uint here = uint(bitCount(found[word])); left >= here; here = uint(bitCount(found[word]))) {
+        left -= here;
+        lane += 32u;
+        ++word;
+    }
+    uint bits = found[word];
+    for (; left > 0u; --left)
+        bits &= bits - 1u; // without its lowest
+    return block * BLOCK + lane + uint(findLSB(bits));
 }
 
 void main()
 {
-    uint block = group_number();
-    uint lane = gl_LocalInvocationIndex;
-    if (block >= block_count)
+    uint at = group_number() * BLOCK + gl_LocalInvocationIndex;
+    uvec4 number = sums[total];
+    if (at >= min(number.x + number.y + number.z, capacity))
         return;
-    uint start = 0u;
-    for (uint kind = 0u; kind < KINDS; ++kind) {
-        if ((found[(block * KINDS + kind) * WORDS + lane / 32u] >> (lane % 32u) & 1u) != 0u) {
-            uint at = start + rank(block, kind, lane);
-            if (at < capacity) {
-                if (block >= face_blocks)
-                    segments[at] = crease_segment((block - face_blocks) * BLOCK + lane);
-                else
-                    segments[at] = kind == 0u ? contour_in_face(block * BLOCK + lane) : suggestive_segment(block * BLOCK + lane, kind);
-            }
-        }
-        start += sums[total][kind];
-    }
+    uint kind = at < number.x ? 0u : (at < number.x + number.y ? 1u : 2u);
+    uint element = element_of(kind, at - (kind == 0u ? 0u : (kind == 1u ? number.x : number.x + number.y)));
+    if (element >= face_blocks * BLOCK)
+        segments[at] = crease_segment(element - face_blocks * BLOCK);
+    else if (kind == 0u)
+        segments[at] = contour_in_face(element);
+    else
+        segments[at] = suggestive_segment(element, kind);
 }
