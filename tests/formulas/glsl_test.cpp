@@ -3,17 +3,11 @@
 
 #include <filesystem>
 
+#include "limn/gpu/program.h"
 #include "support/support.h"
 
 namespace limn {
 namespace {
-
-const std::string prelude = R"(#version 450
-#define FORMULA
-#define OUT(T) out T
-#define INOUT(T) inout T
-#define OUT_ARRAY(T, name, n) out T name[n]
-)";
 
 /// What files without an include guard ask of the shader that includes them (see image_lines.glsl).
 const std::string picture = R"(float pixel(const ivec2 p) { return 0.0f; }
@@ -23,12 +17,13 @@ vec3 normal_at(const ivec2 p) { return vec3(0.0f); }
 uint id_at(const ivec2 p) { return 0u; }
 )";
 
+/// The text that a driver would get, with what the file includes.
 std::string whole_shader(const std::filesystem::path& file)
 {
-    const std::string text = test::read_text(file);
-    const bool guarded = text.find("#pragma once") != std::string::npos;
-    const std::string before = guarded ? "" : test::read_text(file.parent_path() / "sobel.glsl") + picture;
-    return prelude + before + text + "\nlayout(location = 0) out vec4 colour;\nvoid main() { colour = vec4(1.0f); }\n";
+    const std::string name = file.filename().string();
+    const bool guarded = test::read_text(file).find("#pragma once") != std::string::npos;
+    const std::string before = guarded ? "" : "#include \"limn/formulas/sobel.glsl\"\n" + picture;
+    return gpu::expand_shader(name, before + "#include \"limn/formulas/" + name + "\"\nlayout(location = 0) out vec4 colour;\nvoid main() { colour = vec4(1.0f); }\n");
 }
 
 TEST(Formulas, AreValidGlsl)

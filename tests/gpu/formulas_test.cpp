@@ -62,6 +62,8 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/sobel.glsl"
 #include "limn/formulas/texture_lines.glsl"
+#include "limn/formulas/crease_outline.glsl"
+#include "limn/formulas/suggestive_line.glsl"
 layout(local_size_x = 64) in;
 struct Point {{ vec4 v; vec4 n; vec4 e1; vec4 e2; vec4 derivative; vec4 k; }};
 layout(std430, binding = 0) readonly buffer Points {{ Point points[]; }};
@@ -204,6 +206,82 @@ Values places(const Point& p, const RadialTerms&)
     return {{{place.x, 1 + TEXTURE_SCALE * size * std::abs(p.k.x)}, {place.y, 1 + size * size * std::abs(strength)}, {contour.x, 1}, {contour.y, 1}, {level, 10}}};
 }
 
+/// Numbers of either sign that a face or an edge may have, not so near zero that a quotient of them loses its digits.
+float away_from_zero(float x) { return x < 0 ? x - 0.1f : x + 0.1f; }
+
+Values zeros_on_edges(const Point& p, const RadialTerms&)
+{
+    const float f = 0.1f + p.k.z, g = -0.1f - p.k.w;
+    const EdgeZero zero = edge_zero(7u, 3u, f, g);
+    const vec3 mixed = at_zero(zero, vec3(p.v), vec3(p.n));
+    const vec2 part = positive_part(p.k.z - 0.5f, p.k.w - 0.5f);
+    const float apart = std::abs(p.k.z - p.k.w) + 1e-6f; // what the parameter is divided by
+    return {{{float(zero.from), 0}, {zero.t, 1}, {mixed.x, 6}, {at_zero(zero, p.v.y, p.n.y), 6}, {part.x, 1 / apart}, {part.y, 1 / apart}}};
+}
+
+Values zeros_in_faces(const Point& p, const RadialTerms&)
+{
+    const float values[3] = {away_from_zero(p.n.x), away_from_zero(p.n.y), away_from_zero(p.e1.x)};
+    const bool negative[3] = {values[0] < 0, values[1] < 0, values[2] < 0};
+    const CrossedEdges edges = crossed_edges(negative[0], negative[1], negative[2]);
+    const uint vertices[3] = {5, 2, 9};
+    const vec3 positions[3] = {vec3(p.v), vec3(p.e1), vec3(p.e2)};
+    const bool crossed = negative[0] != negative[1] || negative[1] != negative[2];
+    const vec3 place = crossed ? zero_on_edge(vertices, positions, values, edges.enter) : vec3(0);
+    return {{{float(odd_corner(negative[0], negative[1], negative[2])), 0}, {float(edges.enter), 0}, {float(edges.leave), 0}, {place.x, 6}, {place.y, 6}, {place.z, 6}}};
+}
+
+Values crease_parts(const Point& p, const RadialTerms&)
+{
+    Values all;
+    for (int k = 0; k < 3; ++k) {
+        const CreasePart part = crease_part(k, p.n.x, p.n.y, p.n.z, p.e1.x, p.k.z, p.k.w);
+        all[std::size_t(2 * k)] = {part.drawn ? 1.0f : 0.0f, 0};
+        all[std::size_t(2 * k + 1)] = {float(part.from * 4 + part.to) + (part.own_back ? 16.0f : 0.0f), 0};
+    }
+    return all;
+}
+
+Values suggestive_ends(const Point& p, const RadialTerms& t)
+{
+    const SuggestiveLimits limits = {0.3f, 0.01f, 2, 1.5f, -1};
+    const SuggestiveCorner corner = suggestive_corner(t, 3u, p.k.x, p.k.y, p.derivative, limits, false);
+    const SuggestiveCorner i = {3u, 0.1f + p.k.z, p.n.x, p.n.y, p.n.z}, j = {8u, -0.1f - p.k.w, p.e1.x, p.e1.y, p.e1.z};
+    const SuggestiveEnd end = suggestive_end(i, j, vec3(p.v), vec3(p.e2));
+    const float slopes = slope_terms(p, t, 1 / std::sqrt(t.w2));
+    return {{{corner.kr, sum({p.k.x, p.k.y})}, {corner.strength, 0.01f + 0.09f * slopes}, {corner.gradient, std::sqrt(t.w2) * 2 * slopes},
+             {end.strength, 2}, {end.position.x, 6}, {end.turn + end.gradient, 4}}};
+}
+
+Values suggestive_parts(const Point& p, const RadialTerms&)
+{
+    const SuggestiveLimits limits = {0.3f, 0.25f, 2, 1.5f, 1};
+    const SuggestiveEnd a = {vec3(p.v), p.k.z, p.n.x, 1 + p.k.w}, b = {vec3(p.n), p.e1.x, p.e1.y, 1 + p.k.z};
+    const vec2 part = suggestive_part(a, b, limits.speed_limit);
+    const SuggestiveEnd between = suggestive_between(a, b, p.k.w);
+    // Positive parts divide by the differences of what they compare.
+    const float left = limits.speed_limit * (a.gradient - b.gradient), turned = a.turn - b.turn;
+    const float apart = std::min({std::abs(a.strength - b.strength), std::abs(left + turned), std::abs(left - turned)}) + 1e-6f;
+    return {{{part.x, 1 + 4 / apart}, {part.y, 1 + 4 / apart}, {between.position.x, 6}, {between.strength, 2}, {suggestive_ink(a, limits), 2}, {suggestive_ink(between, limits), 6}}};
+}
+
+Values suggestive_pieces(const Point& p, const RadialTerms&)
+{
+    const SuggestiveLimits limits = {0.3f, 0.25f, 2, 0, 1};
+    const SuggestiveCorner corners[3] = {{5u, away_from_zero(p.n.x), away_from_zero(p.n.y), 0, 0},
+                                         {2u, away_from_zero(p.n.z), away_from_zero(p.e1.x), 0, 0},
+                                         {9u, away_from_zero(p.e1.y), away_from_zero(p.e1.z), 0, 0}};
+    const bool crossed = (corners[0].kr < 0) != (corners[1].kr < 0) || (corners[1].kr < 0) != (corners[2].kr < 0);
+    const vec3 positions[3] = {vec3(p.v), vec3(p.e1), vec3(p.e2)};
+    SuggestivePiece piece = {vec3(0), vec3(0), 0, 0, 0, 0};
+    const bool drawn = crossed && suggestive_piece(corners, positions, limits, piece);
+    if (!drawn)
+        return {{{0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}}};
+    // A cut divides by the difference of two strengths.
+    const float cut = piece.edge_a < 0 || piece.edge_b < 0 ? 1e2f : 1.0f;
+    return {{{1, 0}, {float(piece.edge_a * 4 + piece.edge_b), 0}, {piece.a.x, 6 * cut}, {piece.b.y, 6 * cut}, {piece.ink_a, 6 * cut}, {piece.ink_b, 6 * cut}}};
+}
+
 const Formula formulas_of_the_library[] = {
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
@@ -223,6 +301,39 @@ const Formula formulas_of_the_library[] = {
      "vec2 w = vec2(t.a, t.b) * (sine / sqrt(t.w2)); ApparentRidge a = apparent_ridge(cosine, w, p.k.x, p.k.y, p.derivative, 0.25f);"
      "r[0] = a.q; r[1] = abs(a.along); r[2] = abs(a.across); r[3] = abs(a.slope);",
      apparent},
+    {"edge_zero, at_zero, positive_part",
+     "EdgeZero zero = edge_zero(7u, 3u, 0.1f + p.k.z, -0.1f - p.k.w); vec2 part = positive_part(p.k.z - 0.5f, p.k.w - 0.5f); r[0] = float(zero.from);"
+     "r[1] = zero.t; r[2] = at_zero(zero, v, n).x; r[3] = at_zero(zero, v.y, n.y); r[4] = part.x; r[5] = part.y;",
+     zeros_on_edges},
+    {"odd_corner, crossed_edges, zero_on_edge",
+     "float f[3] = float[3](n.x, n.y, p.e1.x); for (int k = 0; k < 3; ++k) f[k] += f[k] < 0.0f ? -0.1f : 0.1f;"
+     "bool s0 = f[0] < 0.0f; bool s1 = f[1] < 0.0f; bool s2 = f[2] < 0.0f; CrossedEdges edges = crossed_edges(s0, s1, s2);"
+     "vec3 place = s0 != s1 || s1 != s2 ? zero_on_edge(uint[3](5u, 2u, 9u), vec3[3](v, p.e1.xyz, p.e2.xyz), f, edges.enter) : vec3(0.0f);"
+     "r[0] = float(odd_corner(s0, s1, s2)); r[1] = float(edges.enter); r[2] = float(edges.leave); r[3] = place.x; r[4] = place.y; r[5] = place.z;",
+     zeros_in_faces},
+    {"crease_part",
+     "for (int k = 0; k < 3; ++k) { CreasePart part = crease_part(k, n.x, n.y, n.z, p.e1.x, p.k.z, p.k.w); r[2 * k] = part.drawn ? 1.0f : 0.0f;"
+     "r[2 * k + 1] = float(part.from * 4u + part.to) + (part.own_back ? 16.0f : 0.0f); }",
+     crease_parts},
+    {"suggestive_corner, suggestive_end",
+     "SuggestiveCorner c = suggestive_corner(t, 3u, p.k.x, p.k.y, p.derivative, SuggestiveLimits(0.3f, 0.01f, 2.0f, 1.5f, -1.0f), false);"
+     "SuggestiveEnd e = suggestive_end(SuggestiveCorner(3u, 0.1f + p.k.z, n.x, n.y, n.z), SuggestiveCorner(8u, -0.1f - p.k.w, p.e1.x, p.e1.y, p.e1.z), v, p.e2.xyz);"
+     "r[0] = c.kr; r[1] = c.strength; r[2] = c.gradient; r[3] = e.strength; r[4] = e.position.x; r[5] = e.turn + e.gradient;",
+     suggestive_ends},
+    {"suggestive_part, suggestive_between, suggestive_ink",
+     "SuggestiveLimits limits = SuggestiveLimits(0.3f, 0.25f, 2.0f, 1.5f, 1.0f); SuggestiveEnd a = SuggestiveEnd(v, p.k.z, n.x, 1.0f + p.k.w);"
+     "SuggestiveEnd b = SuggestiveEnd(n, p.e1.x, p.e1.y, 1.0f + p.k.z); vec2 part = suggestive_part(a, b, limits.speed_limit);"
+     "SuggestiveEnd m = suggestive_between(a, b, p.k.w); r[0] = part.x; r[1] = part.y; r[2] = m.position.x; r[3] = m.strength;"
+     "r[4] = suggestive_ink(a, limits); r[5] = suggestive_ink(m, limits);",
+     suggestive_parts},
+    {"suggestive_piece",
+     "float f[6] = float[6](n.x, n.y, n.z, p.e1.x, p.e1.y, p.e1.z); for (int k = 0; k < 6; ++k) f[k] += f[k] < 0.0f ? -0.1f : 0.1f;"
+     "SuggestiveCorner c[3] = SuggestiveCorner[3](SuggestiveCorner(5u, f[0], f[1], 0.0f, 0.0f), SuggestiveCorner(2u, f[2], f[3], 0.0f, 0.0f),"
+     "SuggestiveCorner(9u, f[4], f[5], 0.0f, 0.0f)); SuggestivePiece piece;"
+     "if (((f[0] < 0.0f) != (f[2] < 0.0f) || (f[2] < 0.0f) != (f[4] < 0.0f))"
+     "&& suggestive_piece(c, vec3[3](v, p.e1.xyz, p.e2.xyz), SuggestiveLimits(0.3f, 0.25f, 2.0f, 0.0f, 1.0f), piece)) {"
+     "r[0] = 1.0f; r[1] = float(piece.edge_a * 4 + piece.edge_b); r[2] = piece.a.x; r[3] = piece.b.y; r[4] = piece.ink_a; r[5] = piece.ink_b; }",
+     suggestive_pieces},
     {"seen_normal, diffuse",
      "vec3 seen = seen_normal(n, normalize(v)); r[0] = seen.x; r[1] = seen.y; r[2] = seen.z; r[3] = diffuse(seen, p.e1.xyz);", shading},
     {"shader lines",

@@ -13,10 +13,13 @@
 namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/apparent_ridge.glsl"
+#include "limn/formulas/crease_outline.glsl"
+#include "limn/formulas/edge_zero.glsl"
 #include "limn/formulas/radial_curvature.glsl"
 #include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/shading.glsl"
 #include "limn/formulas/sobel.glsl"
+#include "limn/formulas/suggestive_line.glsl"
 #include "limn/formulas/texture_lines.glsl"
 } // namespace limn::formulas
 

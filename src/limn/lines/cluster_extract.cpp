@@ -184,7 +184,7 @@ private:
         SuggestiveCorner corner(std::uint32_t vertex, const SuggestiveOptions& options) const
         {
             if (!(options.speed_limit > 0))
-                return {vertex, kr_[vertex], strength_[vertex]};
+                return {vertex, kr_[vertex], strength_[vertex], 0, 0};
             const float* facing = column<facing_rows>(rows_.facing, vertex);
             const float* curvature = column<curvature_rows>(rows_.curvature, vertex);
             const float* derivative = column<derivative_rows>(rows_.derivative, vertex);

@@ -1,18 +1,16 @@
 #include "limn/lines/contour.h"
 
-#include <utility>
-
 #include "limn/base/parallel.h"
 #include "limn/lines/contour_face.h"
+#include "limn/lines/edge_zero.h"
 
 namespace limn {
 namespace {
 
 constexpr std::size_t vertex_grain = 16384, face_grain = 8192;
 
-/// A place on a crease edge where one of its sides turns, or one of its ends.
+/// A place along a crease edge.
 struct CreasePlace {
-    float s; ///< from the start of the crease's half-edge
     vec3 point;
     std::uint32_t id;
 };
@@ -25,30 +23,23 @@ template <class F> void add_crease_outline(const LineModel& model, F&& facing_of
     const auto corner = [&](std::uint32_t half_edge) { return model.faces[half_edge / 3][int(half_edge % 3)]; };
     const std::uint32_t i = corner(h), j = corner(next_half_edge(h));             // the side of h, from its start to its end
     const std::uint32_t other_i = corner(next_half_edge(g)), other_j = corner(g); // the side of g, likewise
-    const auto zero_place = [&](std::uint32_t from, std::uint32_t to, std::uint32_t id) {
-        const EdgeZero zero = edge_zero(from, to, facing_of(from), facing_of(to));
-        return CreasePlace{zero.from == from ? zero.t : 1 - zero.t, zero.mix(model.positions[zero.from], model.positions[zero.to]), id};
+    const float own_start = facing_of(i), own_end = facing_of(j), other_start = facing_of(other_i), other_end = facing_of(other_j);
+    const EdgeZero own = edge_zero(i, j, own_start, own_end), other = edge_zero(other_i, other_j, other_start, other_end);
+    const float own_s = own.from == i ? own.t : 1 - own.t, other_s = other.from == other_i ? other.t : 1 - other.t;
+    const auto place = [&](std::uint32_t which) -> CreasePlace {
+        switch (which) {
+        case formulas::CREASE_START: return {model.positions[i], model.vertex_node(i)};
+        case formulas::CREASE_OWN_TURN: return {own.mix(model.positions[own.from], model.positions[own.to]), h};
+        case formulas::CREASE_OTHER_TURN: return {other.mix(model.positions[other.from], model.positions[other.to]), g};
+        default: return {model.positions[j], model.vertex_node(j)};
+        }
     };
-    CreasePlace places[4] = {{0, model.positions[i], model.vertex_node(i)}};
-    int count = 1;
-    bool back = facing_of(i) < 0, other_back = facing_of(other_i) < 0;
-    const bool own_turns = back != (facing_of(j) < 0), other_turns = other_back != (facing_of(other_j) < 0);
-    if (own_turns)
-        places[count++] = zero_place(i, j, h);
-    if (other_turns)
-        places[count++] = zero_place(other_i, other_j, g);
-    if (count == 3 && places[2].s < places[1].s)
-        std::swap(places[1], places[2]);
-    places[count++] = {1, model.positions[j], model.vertex_node(j)};
-
-    for (int k = 0; k + 1 < count; ++k) {
-        back ^= places[k].id == h;
-        other_back ^= places[k].id == g;
-        if (back == other_back)
+    for (int k = 0; k < 3; ++k) {
+        const formulas::CreasePart part = formulas::crease_part(k, own_start, own_end, other_start, other_end, own_s, other_s);
+        if (!part.drawn)
             continue;
-        // The front keeps to the right: h has its own face to its left.
-        const CreasePlace &from = back ? places[k] : places[k + 1], &to = back ? places[k + 1] : places[k];
-        const std::uint32_t front = back ? g / 3 : h / 3, behind = back ? h / 3 : g / 3;
+        const CreasePlace from = place(part.from), to = place(part.to);
+        const std::uint32_t front = part.own_back ? g / 3 : h / 3, behind = part.own_back ? h / 3 : g / 3;
         out.push_back({from.point, to.point, 1, 1, front, from.id, to.id, behind, true});
     }
 }

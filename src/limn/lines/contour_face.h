@@ -1,6 +1,6 @@
 #pragma once
 
-#include "limn/lines/edge_zero.h"
+#include "limn/formulas/formulas.h"
 #include "limn/lines/line_model.h"
 #include "limn/lines/segment.h"
 
@@ -13,22 +13,13 @@ namespace limn {
 /// @return its ends lie on half-edges of the face, which stand for their edges (`number_edges`)
 inline Segment contour_in_face(const std::uint32_t (&vertices)[3], const vec3 (&positions)[3], const float (&facing)[3], std::uint32_t face)
 {
-    const bool back[3] = {facing[0] < 0, facing[1] < 0, facing[2] < 0};
-    // The two mixed edges run from and to the odd corner k. An odd back corner is entered by the edge that leaves it.
-    const int k = odd_corner(back[0], back[1], back[2]);
-    const int leaving = k, arriving = (k + 2) % 3; // half-edges k -> k+1 and k+2 -> k
-    const int enter = back[k] ? leaving : arriving, exit = back[k] ? arriving : leaving;
-    const auto end_on = [&](int i) {
-        const int j = (i + 1) % 3;
-        const EdgeZero zero = edge_zero(vertices[i], vertices[j], facing[i], facing[j]);
-        return zero.from == vertices[i] ? zero.mix(positions[i], positions[j]) : zero.mix(positions[j], positions[i]);
-    };
+    const formulas::CrossedEdges edges = formulas::crossed_edges(facing[0] < 0, facing[1] < 0, facing[2] < 0);
     Segment segment;
-    segment.a = end_on(enter);
-    segment.b = end_on(exit);
+    segment.a = formulas::zero_on_edge(vertices, positions, facing, edges.enter);
+    segment.b = formulas::zero_on_edge(vertices, positions, facing, edges.leave);
     segment.face = face;
-    segment.edge_a = 3 * face + std::uint32_t(enter);
-    segment.edge_b = 3 * face + std::uint32_t(exit);
+    segment.edge_a = 3 * face + std::uint32_t(edges.enter);
+    segment.edge_b = 3 * face + std::uint32_t(edges.leave);
     return segment;
 }
 

@@ -1,13 +1,9 @@
 #pragma once
 
-#include <cmath>
-
 #include "limn/formulas/formulas.h"
-#include "limn/lines/edge_zero.h"
 #include "limn/lines/line_model.h"
 #include "limn/lines/segment.h"
 #include "limn/lines/suggestive.h"
-#include "limn/lines/trim.h"
 
 namespace limn {
 
@@ -32,100 +28,36 @@ inline bool faces_eye(const vec3& p0, const vec3& p1, const vec3& p2, const View
     return glm::dot(glm::cross(p1 - p0, p2 - p0), view.to_eye(p0)) > 0;
 }
 
-/// One corner of a face as the trimming reads it.
-struct SuggestiveCorner {
-    std::uint32_t vertex = 0;          ///< global: orders the ends of an edge
-    float kr = 0;                      ///< radial curvature; negative exactly where `radially_concave` is set
-    float strength = 0;                ///< g of section 2.8; positive where a line may run
-    float turn = 0, gradient = 0;      ///< speed = |turn| / gradient; both 0 where no speed limit is set
-};
+using formulas::SuggestiveCorner;
+
+inline formulas::SuggestiveLimits suggestive_limits(const SuggestiveOptions& options)
+{
+    return {options.feature_size, options.limit, options.fade, options.speed_limit, options.highlight ? -1.0f : 1.0f};
+}
 
 inline SuggestiveCorner suggestive_corner(const formulas::RadialTerms& r, std::uint32_t vertex, float k1, float k2, const vec4& derivative,
                                           const SuggestiveOptions& options, bool orthographic)
 {
-    SuggestiveCorner corner;
-    corner.vertex = vertex;
-    corner.kr = formulas::radial_curvature(r, k1, k2);
-    if (r.f < 0 && !(corner.kr < 0))
-        corner.kr = r.f; // the quotient underflowed
-    const float along = formulas::radial_curvature_derivative(r, k1, k2, derivative);
-    corner.strength = formulas::suggestive_strength(r, options.highlight ? -along : along, options.feature_size, options.limit);
-    if (options.speed_limit > 0) {
-        const float per_distance = orthographic ? 0.0f : 1.0f / std::sqrt(r.w2);
-        const float across = formulas::radial_curvature_derivative_across(r, k1, k2, derivative, per_distance);
-        formulas::suggestive_speed_parts(r, k1, k2, along, across, corner.turn, corner.gradient);
-    }
-    return corner;
+    return formulas::suggestive_corner(r, vertex, k1, k2, derivative, suggestive_limits(options), orthographic);
 }
 
-/// Where the line kr = 0 of a face meets one of its edges.
-struct SuggestiveEnd {
-    vec3 position;
-    float strength, turn, gradient;
-};
-
-inline SuggestiveEnd suggestive_end(const SuggestiveCorner& i, const SuggestiveCorner& j, const vec3& pi, const vec3& pj)
-{
-    const EdgeZero zero = edge_zero(i.vertex, j.vertex, i.kr, j.kr);
-    const bool swapped = zero.from != i.vertex;
-    const SuggestiveCorner &from = swapped ? j : i, &to = swapped ? i : j;
-    return {swapped ? zero.mix(pj, pi) : zero.mix(pi, pj), zero.mix(from.strength, to.strength), zero.mix(from.turn, to.turn),
-            zero.mix(from.gradient, to.gradient)};
-}
-
-/// The place at parameter s between two ends: an end itself, bit for bit, where nothing is cut off.
-inline SuggestiveEnd between(const SuggestiveEnd& a, const SuggestiveEnd& b, float s)
-{
-    if (s <= 0 || s >= 1)
-        return s <= 0 ? a : b;
-    return {a.position + s * (b.position - a.position), a.strength + s * (b.strength - a.strength), a.turn + s * (b.turn - a.turn),
-            a.gradient + s * (b.gradient - a.gradient)};
-}
-
-/// The part of [0,1] between two ends where the line is drawn: strong and slow enough.
-inline Interval drawn_part(const SuggestiveEnd& a, const SuggestiveEnd& b, float speed_limit)
-{
-    Interval part = positive_interval(a.strength, b.strength);
-    if (speed_limit > 0)
-        for (const float sign : {1.0f, -1.0f}) // turning to either side
-            part = intersection(part, positive_interval(speed_limit * a.gradient + sign * a.turn, speed_limit * b.gradient + sign * b.turn));
-    return part;
-}
-
-/// Ink of a place on the line: fades towards the limit, and from half the speed limit on.
-inline float suggestive_ink(const SuggestiveEnd& end, const SuggestiveOptions& options)
-{
-    const float ink = formulas::faded_ink(end.strength, options.fade * options.limit);
-    if (!(options.speed_limit > 0) || !(options.fade > 0))
-        return ink;
-    const float most = options.speed_limit * end.gradient;
-    return ink * (most > 0 ? glm::clamp(2.0f - 2.0f * std::abs(end.turn) / most, 0.0f, 1.0f) : 0.0f);
-}
-
-/// The piece of suggestive line in a face whose corners differ in the sign of kr. Directed like contours: the side
-/// with kr >= 0 lies to its left, so that it leaves by the edge through which the next face is entered.
+/// The piece of suggestive line in a face whose corners differ in the sign of kr, directed as formulas::suggestive_piece says.
 /// An end that was trimmed lies on no edge.
 /// @param edges  ids of the edges from corner k to corner k+1
 /// @return false where nothing is drawn
 inline bool trim_suggestive(const SuggestiveCorner (&corners)[3], const vec3 (&positions)[3], const std::uint32_t (&edges)[3], std::uint32_t face,
                             const SuggestiveOptions& options, Segment& segment)
 {
-    const bool concave[3] = {corners[0].kr < 0, corners[1].kr < 0, corners[2].kr < 0};
-    const int odd = odd_corner(concave[0], concave[1], concave[2]), arriving = (odd + 2) % 3;
-    const int enter = concave[odd] ? odd : arriving, leave = concave[odd] ? arriving : odd;
-    const auto end_on = [&](int k) { return suggestive_end(corners[k], corners[(k + 1) % 3], positions[k], positions[(k + 1) % 3]); };
-    const SuggestiveEnd a = end_on(enter), b = end_on(leave);
-    const Interval part = drawn_part(a, b, options.speed_limit);
-    if (part.empty())
+    formulas::SuggestivePiece piece;
+    if (!formulas::suggestive_piece(corners, positions, suggestive_limits(options), piece))
         return false;
-    const SuggestiveEnd first = between(a, b, part.begin), last = between(a, b, part.end);
-    segment.a = first.position;
-    segment.b = last.position;
-    segment.ink_a = suggestive_ink(first, options);
-    segment.ink_b = suggestive_ink(last, options);
+    segment.a = piece.a;
+    segment.b = piece.b;
+    segment.ink_a = piece.ink_a;
+    segment.ink_b = piece.ink_b;
     segment.face = face;
-    segment.edge_a = part.begin <= 0 ? edges[enter] : none;
-    segment.edge_b = part.end >= 1 ? edges[leave] : none;
+    segment.edge_a = piece.edge_a >= 0 ? edges[piece.edge_a] : none;
+    segment.edge_b = piece.edge_b >= 0 ? edges[piece.edge_b] : none;
     return true;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "limn/formulas/formulas.h"
+
 namespace limn {
 
 /// A part of a straight segment by its parameter, 0 at the first end and 1 at the second.
@@ -17,12 +19,8 @@ inline Interval intersection(Interval a, Interval b) { return {std::max(a.begin,
 /// Where a quantity that is linear along a segment is positive, from its values at the two ends. 0 is not positive.
 inline Interval positive_interval(float first, float second)
 {
-    if (first > 0 && second > 0)
-        return {0, 1};
-    if (!(first > 0) && !(second > 0))
-        return {0, 0};
-    const float zero = first / (first - second);
-    return first > 0 ? Interval{0, zero} : Interval{zero, 1};
+    const vec2 part = formulas::positive_part(first, second);
+    return {part.x, part.y};
 }
 
 /// At most two intervals, in ascending order, which do not touch.
