@@ -33,6 +33,7 @@ render render-smooth knot
 render render-toon knot --shading toon --toon-levels 3 --light 2,-3,4 --lines illustration
 render render-flat cylinder --shading flat --lines technical --light 2,-3,5
 render render-dark blob --style dark --surface-colour '#555555' --lines contour,suggestive,highlight
+render render-ground knot --ground --lines contour --background '#dfe8f0' --light 2,-3,5
 sample torus 200000
 cp docs/scene.json "$models"
 build/limn render "$models/scene.json" --quiet -o docs/images/scene.png

@@ -59,10 +59,10 @@ double sum(const std::vector<DrawnView>& views, double DrawReport::*member)
 
 } // namespace
 
-std::string draw_report(const std::string& command, const Models& models, const std::vector<DrawnView>& views, const std::vector<std::string>& written,
-                        const Warnings& warnings, const Times& times)
+std::string draw_report(const std::string& command, const std::string& device, const Models& models, const std::vector<DrawnView>& views,
+                        const std::vector<std::string>& written, const Warnings& warnings, const Times& times)
 {
-    nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", command}};
+    nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", command}, {"device", device}};
     for (const Input& input : models.inputs)
         json["inputs"].push_back(json_of(input));
     json["warnings"] = warnings.all();

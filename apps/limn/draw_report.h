@@ -28,6 +28,6 @@ struct Times {
     double rays = 0, features = 0, shade = 0, write = 0, total = 0;
 };
 
-/// The report of `limn draw --json` and `limn render --json`: inputs, warnings, cameras, counts and lengths by type, and seconds by stage.
-std::string draw_report(const std::string& command, const Models& models, const std::vector<DrawnView>& views, const std::vector<std::string>& written,
-                        const Warnings& warnings, const Times& times);
+/// The report of `limn draw --json` and `limn render --json`: where pixels were computed, inputs, warnings, cameras, counts and lengths by type, and seconds by stage.
+std::string draw_report(const std::string& command, const std::string& device, const Models& models, const std::vector<DrawnView>& views,
+                        const std::vector<std::string>& written, const Warnings& warnings, const Times& times);

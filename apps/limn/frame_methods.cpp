@@ -10,6 +10,8 @@
 
 #include "console.h"
 #include "limn/gpu/field_view.h"
+#include "limn/gpu/line_extraction.h"
+#include "limn/gpu/line_view.h"
 #include "limn/gpu/lit_view.h"
 #include "limn/gpu/surface_view.h"
 #include "limn/lines/feature_size.h"
@@ -46,6 +48,40 @@ FrameMethod strokes(const FrameSubject& subject, std::string name, std::vector<L
         return StageTimes{1e3 * report.extract_seconds, 1e3 * report.visibility_seconds, 1e3 * report.chain_seconds};
     };
     return {std::move(name), {"extract", "visibility", "strokes"}, false, study, frame};
+}
+
+/// Object space on the GPU: segments extracted and drawn where they are, hidden by the depth of the surface.
+FrameMethod segments(const FrameSubject& subject, std::string name, std::array<int, 5> study)
+{
+    struct State {
+        gpu::LineExtractor lines;
+        gpu::LineRenderer renderer;
+        SuggestiveOptions limits;
+        std::optional<gpu::Framebuffer> depth, ink;
+        State(const LineModel& model, const LineOptions& options) : lines(model), renderer(lines)
+        {
+            limits.feature_size = model_feature_size(model, options.feature_size);
+            limits.limit = float(options.suggestive_limit);
+        }
+    };
+    const LineOptions usual;
+    auto state = std::make_shared<State>(subject.model, usual);
+    auto frame = [&subject, state](const Camera& camera) {
+        if (!state->ink || state->ink->size() != camera.size) {
+            state->depth.emplace(camera.size, std::vector<gpu::Format>());
+            state->ink.emplace(camera.size, std::vector{gpu::Format::rgba8});
+        }
+        Stopwatch watch;
+        state->lines.extract(subject.model.view(camera), {.contours = true, .suggestive = &state->limits});
+        StageTimes times = {finished(watch)};
+        state->renderer.draw_depth(*state->depth, camera);
+        times.push_back(finished(watch));
+        state->ink->clear(0, vec4(0));
+        state->renderer.draw(*state->ink, *state->depth, camera);
+        times.push_back(finished(watch));
+        return times;
+    };
+    return {std::move(name), {"extract", "depth", "lines"}, true, study, frame};
 }
 
 /// Lines found in a picture, on the GPU.
@@ -113,6 +149,7 @@ std::vector<FrameMethod> frame_methods(const FrameSubject& subject)
     std::vector<FrameMethod> methods;
     methods.push_back(strokes(subject, "M1 + M3, strokes, processor", {LineType::contour, LineType::suggestive}, {65, 27, 16, 5, 3}));
     methods.push_back(strokes(subject, "M1 + M3 + M4, strokes, processor", {LineType::contour, LineType::suggestive, LineType::highlight}, {62, 24, 13, 4, 2}));
+    methods.push_back(segments(subject, "M1 + M3, segments, GPU", {65, 27, 16, 5, 3}));
     const auto surface = std::make_shared<gpu::SurfaceRenderer>(subject.model);
     ShaderLineOptions lines;
     lines.feature_size = model_feature_size(subject.model, LineOptions().feature_size);

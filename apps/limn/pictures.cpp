@@ -246,7 +246,7 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     const std::vector<std::string> written = draw_all(stage, sheets, outputs, progress, console);
     progress.times.total = total.total();
     if (command.common.json)
-        write_file("-", draw_report(command.name, models, progress.views, written, warnings, progress.times));
+        write_file("-", draw_report(command.name, hooks.device ? hooks.device() : "processor", models, progress.views, written, warnings, progress.times));
     console.finish(fmt::format("{}: {}, {}, {}", what_was_written(written), counted(models.triangle_count(), "triangle"),
                                counted(stroke_count(progress.views), "stroke"), seconds_text(progress.times.total)));
 }

@@ -34,6 +34,8 @@ struct PictureHooks {
     std::function<void(limn::Drawing&, const limn::SeenModel&)> underlay;
     /// Writes a picture to one of the files asked for, and returns the names of all that it wrote.
     std::function<std::vector<std::string>(const limn::Drawing&, const limn::SeenModel&, const Output&)> write;
+    /// Where pixels were computed, once all pictures are written; absent: on the processor.
+    std::function<std::string()> device;
 };
 
 /// MODEL, --from, --cache, --turntable, --cameras, and the options of surfaces, cameras and every subcommand.

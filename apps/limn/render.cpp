@@ -150,6 +150,7 @@ void run(const CLI::App& app, RenderCommand& command)
     PictureHooks hooks;
     PixelPainter painter(pictures.common.device, say_on_standard_error);
     hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { drawing.background = painter.paint(model, drawing.camera, pixel_options(command, model)); };
+    hooks.device = [&] { return painter.device(); };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
         write_image(picture, output, command.render.bits);

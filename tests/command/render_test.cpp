@@ -118,7 +118,8 @@ TEST_F(Render, DrawsWhatIsLeftOfAModelWithNan)
 
 TEST_F(Render, MakesAPictureForEachCameraOfAList)
 {
-    const std::string report = render("--json --view front").output;
+    const std::string report = render("--json --view front --device cpu").output;
+    EXPECT_EQ(Json::parse(report)["device"], "processor");
     Json camera = Json::parse(report)["views"][0]["camera"], list = Json::array();
     for (int i = 0; i < 3; ++i) {
         camera["size"] = {40 + i, 30};
