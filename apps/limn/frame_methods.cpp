@@ -16,6 +16,7 @@
 #include "limn/gpu/surface_view.h"
 #include "limn/lines/feature_size.h"
 #include "limn/lines/regions.h"
+#include "limn/lines/stochastic.h"
 
 using namespace limn;
 
@@ -48,6 +49,29 @@ FrameMethod strokes(const FrameSubject& subject, std::string name, std::vector<L
         return StageTimes{1e3 * report.extract_seconds, 1e3 * report.visibility_seconds, 1e3 * report.chain_seconds};
     };
     return {std::move(name), {"extract", "visibility", "strokes"}, false, study, frame};
+}
+
+/// Segments from a hundredth of the faces and the lines of the frame before, on the processor.
+FrameMethod stochastic(const FrameSubject& subject)
+{
+    struct State {
+        SeedSet contours, suggestive;
+        SuggestiveOptions limits;
+    };
+    const LineOptions usual;
+    auto state = std::make_shared<State>();
+    state->contours = seeds_of_contours(subject.model, 1);
+    state->suggestive = seeds_of_suggestive(subject.model, find_suggestive_faces(subject.model), 1);
+    state->limits.feature_size = model_feature_size(subject.model, usual.feature_size);
+    state->limits.limit = float(usual.suggestive_limit);
+    auto frame = [&subject, state](const Camera& camera) {
+        const View view = subject.model.view(camera);
+        Stopwatch watch;
+        extract_contours_stochastic(subject.model, view, {}, state->contours);
+        extract_suggestive_stochastic(subject.model, view, state->limits, {}, state->suggestive);
+        return StageTimes{1e3 * watch.lap()};
+    };
+    return {"M5 stochastic, segments, processor", {"extract"}, false, {}, frame};
 }
 
 /// Object space on the GPU: segments extracted and drawn where they are, hidden by the depth of the surface.
@@ -147,8 +171,11 @@ FrameSubject::FrameSubject(const std::string& name, std::size_t triangles) : Fra
 std::vector<FrameMethod> frame_methods(const FrameSubject& subject)
 {
     std::vector<FrameMethod> methods;
+    methods.push_back(strokes(subject, "M3, strokes, processor", {LineType::suggestive}, {78, 44, 27, 6, 4}));
+    methods.push_back(strokes(subject, "M2 + M3, strokes, processor", {LineType::mesh_contour, LineType::suggestive}, {43, 19, 10, 3, 2}));
     methods.push_back(strokes(subject, "M1 + M3, strokes, processor", {LineType::contour, LineType::suggestive}, {65, 27, 16, 5, 3}));
     methods.push_back(strokes(subject, "M1 + M3 + M4, strokes, processor", {LineType::contour, LineType::suggestive, LineType::highlight}, {62, 24, 13, 4, 2}));
+    methods.push_back(stochastic(subject));
     methods.push_back(segments(subject, "M1 + M3, segments, GPU", {65, 27, 16, 5, 3}));
     const auto surface = std::make_shared<gpu::SurfaceRenderer>(subject.model);
     ShaderLineOptions lines;

@@ -53,7 +53,7 @@ TEST(Bench, MeasuresEveryMethodOfPicturesBesideTheStudy)
     const auto json = nlohmann::json::parse(result.output);
     for (const char* table : {"fps", "stages_ms", "threshold_us", "picture_sizes_fps", "processes"})
         EXPECT_GE(json.at(table).size(), 2u) << table;
-    for (const char* method : {"M1 + M3", "M6", "M7", "M8", "M9", "M10", "lit picture"}) {
+    for (const char* method : {"M1 + M3", "M2 + M3", "M3", "M5", "M6", "M7", "M8", "M9", "M10", "lit picture"}) {
         const bool found = std::any_of(json["fps"].begin(), json["fps"].end(), [&](const auto& row) { return row["method"].template get<std::string>().starts_with(method); });
         EXPECT_TRUE(found) << method;
     }
