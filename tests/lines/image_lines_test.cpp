@@ -122,7 +122,8 @@ TEST(ImageLines, SobelIsItsConvolution)
     EXPECT_NEAR(formulas::sobel_strength(ramp), 2, 1e-6);
 }
 
-// 24: the outline of a sphere, from both depth methods: within a pixel, whose centre is meant.
+// 24: the outline of a sphere, from both depth methods: the window of 3 x 3 around a marked pixel holds it, so that the pixel itself is within
+// 1 px of it and its centre within sqrt(2).
 TEST(ImageLines, DepthEdgesOfASphereAreItsOutline)
 {
     for (const bool orthographic : {true, false}) {
@@ -140,7 +141,7 @@ TEST(ImageLines, DepthEdgesOfASphereAreItsOutline)
             for (int y = 0; y < 240; ++y)
                 for (int x = 0; x < 240; ++x)
                     if (*lines.at(x, y) == 1) {
-                        ASSERT_NEAR(radius_at(x, y), outline, 1.1) << x << "," << y;
+                        ASSERT_NEAR(radius_at(x, y), outline, std::numbers::sqrt2) << x << "," << y;
                         seen[std::size_t((std::atan2(y - 119.5, x - 119.5) + std::numbers::pi) / (2 * std::numbers::pi) * 359.99)] = true;
                     }
             EXPECT_GT(std::count(seen.begin(), seen.end(), true), 345) << "closed all round";
