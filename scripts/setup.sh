@@ -11,6 +11,7 @@ test_packages=(
     librsvg2-bin  # rasterises Limn's SVG files, to compare them with its PNG files
     poppler-utils # and its PDF files
     glslang-tools # compiles the formulas as GLSL
+    libosd-dev    # subdivides too, independently
 )
 model_packages=(glmark2-data)  # the Stanford bunny
 
