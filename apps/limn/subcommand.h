@@ -17,3 +17,4 @@ Subcommand add_info(CLI::App& limn);
 Subcommand add_man(CLI::App& limn);
 Subcommand add_render(CLI::App& limn);
 Subcommand add_sample(CLI::App& limn);
+Subcommand add_subdivide(CLI::App& limn);

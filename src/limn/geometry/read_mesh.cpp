@@ -96,14 +96,9 @@ ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOpt
     result.mesh = read_format(std::move(file), format, options.keep_polygons, result.notes);
     Mesh& mesh = result.mesh;
     if (!options.keep_polygons) {
-        if (options.weld || format == "stl")
-            weld(mesh);
-        if (options.clean)
-            clean(mesh, result.notes);
-        if (options.orient)
-            orient(mesh, result.notes);
-        if (options.cache_order)
-            put_in_cache_order(mesh);
+        ReadOptions tidy = options;
+        tidy.weld = options.weld || format == "stl";
+        tidy_mesh(mesh, tidy, result.notes);
     }
     if (mesh.triangles.empty()) {
         std::string why;
@@ -112,6 +107,18 @@ ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOpt
         throw Error::Read(fmt::format("{}: holds no face in its {} bytes{}", name, size, why.empty() ? why : why + ")"));
     }
     return result;
+}
+
+void tidy_mesh(Mesh& mesh, const ReadOptions& options, std::vector<std::string>& notes)
+{
+    if (options.weld)
+        weld(mesh);
+    if (options.clean)
+        clean(mesh, notes);
+    if (options.orient)
+        orient(mesh, notes);
+    if (options.cache_order)
+        put_in_cache_order(mesh);
 }
 
 Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options)

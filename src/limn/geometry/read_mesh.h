@@ -30,4 +30,9 @@ struct ReadResult {
 ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOptions& options = {});
 Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
+/// What reading does to triangles: welds, cleans, turns round and orders them as the options ask; for meshes that were read as they are.
+/// @param mesh   without polygons, which would no longer be its triangles
+/// @param notes  are added to
+void tidy_mesh(Mesh& mesh, const ReadOptions& options, std::vector<std::string>& notes);
+
 } // namespace limn

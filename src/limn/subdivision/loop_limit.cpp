@@ -176,6 +176,20 @@ template <class F> MaskTable make_table(const LoopTopology& t, CreaseRule rule, 
     return MaskTable(rule, valences[0], valences[1]);
 }
 
+/// Calls f(vertex, spokes, settled ring, masks) for every vertex with faces; parallel.
+template <class F> void each_ring(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule, F&& f)
+{
+    const MaskTable table = make_table(t, rule, t.vertex_count(), [](std::size_t v) { return std::uint32_t(v); });
+    parallel_blocks(t.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
+        Spokes spokes;
+        for (std::uint32_t v = std::uint32_t(begin); v < end; ++v) {
+            t.gather(v, spokes);
+            if (spokes.size() > 0)
+                f(v, spokes, settled_ring(t, spokes, positions, v, rule), table);
+        }
+    });
+}
+
 } // namespace
 
 LimitPoint limit_point(const LoopTopology& t, std::span<const dvec3> positions, std::uint32_t half_edge, CreaseRule rule)
@@ -195,26 +209,27 @@ LimitPoint limit_point(const LoopTopology& t, std::span<const dvec3> positions, 
 LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
 {
     LimitSurface limit{{positions.begin(), positions.end()}, std::vector<dvec3>(t.twin.size())};
-    const MaskTable table = make_table(t, rule, t.vertex_count(), [](std::size_t v) { return std::uint32_t(v); });
-    parallel_blocks(t.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
-        Spokes spokes;
-        for (std::uint32_t v = std::uint32_t(begin); v < end; ++v) {
-            t.gather(v, spokes);
-            if (spokes.size() == 0)
-                continue;
-            const LoopRing ring = settled_ring(t, spokes, positions, v, rule);
-            const VertexKind kind = vertex_kind(ring.sharpness);
-            Sector sector;
-            LimitPoint point;
-            for (std::size_t face = 0; face < spokes.half_edges.size(); ++face) {
-                if (face == 0 || (kind > VertexKind::dart && ring.sharpness[face] > 0)) {
-                    sector = sector_of(ring, kind, face);
-                    point = limit_of_sector(ring, kind, sector, rule, table);
-                }
-                limit.normals[spokes.half_edges[face]] = unit_normal(point, ring, sector, face);
+    each_ring(t, positions, rule, [&](std::uint32_t v, const Spokes& spokes, const LoopRing& ring, const MaskTable& table) {
+        const VertexKind kind = vertex_kind(ring.sharpness);
+        Sector sector;
+        LimitPoint point;
+        for (std::size_t face = 0; face < spokes.half_edges.size(); ++face) {
+            if (face == 0 || (kind > VertexKind::dart && ring.sharpness[face] > 0)) {
+                sector = sector_of(ring, kind, face);
+                point = limit_of_sector(ring, kind, sector, rule, table);
             }
-            limit.positions[v] = point.position;
+            limit.normals[spokes.half_edges[face]] = unit_normal(point, ring, sector, face);
         }
+        limit.positions[v] = point.position;
+    });
+    return limit;
+}
+
+std::vector<dvec3> limit_positions(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
+{
+    std::vector<dvec3> limit(positions.begin(), positions.end());
+    each_ring(t, positions, rule, [&](std::uint32_t v, const Spokes&, const LoopRing& ring, const MaskTable& table) {
+        limit[v] = limit_position(ring, vertex_kind(ring.sharpness), rule, table);
     });
     return limit;
 }

@@ -31,5 +31,7 @@ struct LimitSurface {
 };
 /// Parallel.
 LimitSurface limit_surface(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule = CreaseRule::opensubdiv);
+/// Only LimitSurface::positions.
+std::vector<dvec3> limit_positions(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule = CreaseRule::opensubdiv);
 
 } // namespace limn
