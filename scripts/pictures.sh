@@ -44,3 +44,14 @@ for method in threshold depth-raw depth valley valley-printed; do
     build/limn render "$models/blob.ply" --up-axis z --quiet --size 240x200 -o "$models/$method.png" --image-lines "$method" --unlit 1 --surface-colour '#ffffff'
 done
 montage "$models"/{threshold,depth-raw,depth,valley,valley-printed}.png -tile 5x -geometry +2+2 docs/images/image-lines.png
+
+cage() { # cage NAME MODEL OPTIONS...
+    build/limn render "$2" --up-axis z --quiet --size 400x540 --view 30,20 --lines technical -o "$models/$1.png" "${@:3}"
+}
+
+build/limn subdivide docs/pawn.obj --levels 1 --quiet -o "$models/once.obj"
+build/limn subdivide docs/pawn.obj --max-error 0.001 --limit --quiet -o "$models/limit.obj"
+cage level-0 docs/pawn.obj --shading flat --crease-angle 1
+cage level-1 "$models/once.obj" --shading flat --crease-angle 1
+cage level-limit "$models/limit.obj"
+montage "$models"/level-{0,1,limit}.png -tile 3x -geometry +2+2 docs/images/subdivision.png

@@ -145,6 +145,14 @@ TEST_F(SubdivideCommand, WritesTheSameBytesForAnyNumberOfThreads)
     }
 }
 
+TEST_F(SubdivideCommand, MeetsTheNumbersOfItsManual)
+{
+    const auto report = nlohmann::json::parse(limn("subdivide " LIMN_DOCS "/pawn.obj --max-error 0.005 --limit --json").output);
+    EXPECT_EQ(report["triangles"], 2560);
+    EXPECT_NEAR(report["error"]["measured"], 0.0041, 0.00005);
+    EXPECT_TRUE(report["warnings"].empty());
+}
+
 TEST_F(SubdivideCommand, RefusesWhatItCannotDo)
 {
     const std::string out = " -o " + path("out.obj"), cage = path("cage.obj");

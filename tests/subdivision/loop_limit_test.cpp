@@ -100,9 +100,7 @@ LoopRing followed(LoopRing ring, int levels, CreaseRule rule)
 /// Whether the faces of a sector turn to one normal, and do so in a few steps.
 bool has_tangent_plane(VertexKind kind, std::size_t triangles, CreaseRule rule)
 {
-    if (kind == VertexKind::corner)
-        return triangles < 3 || rule == CreaseRule::biermann;
-    return kind != VertexKind::crease || triangles < 6 || rule != CreaseRule::opensubdiv;
+    return rule != CreaseRule::opensubdiv || kind <= VertexKind::dart || triangles < (kind == VertexKind::corner ? 3u : 6u);
 }
 
 /// Checklist 6.

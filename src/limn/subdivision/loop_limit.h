@@ -19,9 +19,8 @@ struct LimitPoint {
 };
 
 /// The limit of the vertex that a half-edge leaves, as it is seen from the half-edge's face: on each side of a crease it has another normal.
-/// Where creases end in a corner, the surface has one normal per sector only if that has up to three triangles (any number under
-/// the rule of Biermann et al.); in others this is the normal of the plane of its two creases. In the sector of a crease with more than six
-/// triangles, OpenSubdiv's rule makes the faces inside turn to another plane than those at the crease; this is the normal of the latter.
+/// Under OpenSubdiv's rule, the faces of a sector with many triangles (more than six at a crease, more than three at a corner) turn to another
+/// plane inside than at its creases; this is the normal at the crease, or of the plane of both creases of a corner.
 LimitPoint limit_point(const LoopTopology& topology, std::span<const dvec3> positions, std::uint32_t half_edge, CreaseRule rule = CreaseRule::opensubdiv);
 
 /// The limit of a whole mesh.
