@@ -24,6 +24,7 @@ void expect_consistent(const LoopTopology& t, const std::string& name)
     for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
         const Spokes around = t.gather(v);
         spokes += around.half_edges.size();
+        ASSERT_EQ(t.is_at_sharp_edge(v), vertex_kind(around.sharpness) != VertexKind::smooth) << name;
         for (const std::uint32_t h : around.half_edges) {
             ASSERT_EQ(t.start(h), v) << name;
         }

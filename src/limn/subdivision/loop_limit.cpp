@@ -27,11 +27,19 @@ private:
     std::map<std::size_t, LimitMasks> smooth_, darts_;
 };
 
+/// Whether the masks around a vertex may depend on what its neighbours are, until these are points of edges.
+bool asks_neighbours(const LoopTopology& t, const Spokes& spokes, CreaseRule rule)
+{
+    const bool smooth = vertex_kind(spokes.sharpness) == VertexKind::smooth;
+    if (rule != CreaseRule::biermann || !smooth)
+        return rule != CreaseRule::opensubdiv && !smooth;
+    return std::any_of(spokes.neighbours.begin(), spokes.neighbours.end(), [&](std::uint32_t v) { return t.is_at_sharp_edge(v); });
+}
+
 /// The ring of a vertex from the level on at which the rules around it no longer change.
 LoopRing settled_ring(const LoopTopology& t, const Spokes& spokes, std::span<const dvec3> positions, std::uint32_t vertex, CreaseRule rule)
 {
-    const bool asks_neighbours = rule == CreaseRule::biermann || (rule == CreaseRule::hoppe && vertex_kind(spokes.sharpness) != VertexKind::smooth);
-    if (is_settled(spokes.sharpness) && !asks_neighbours)
+    if (is_settled(spokes.sharpness) && !asks_neighbours(t, spokes, rule))
         return ring_of(spokes, positions, vertex);
     LoopRing ring = refined_ring(t, spokes, positions, vertex, rule);
     while (!is_settled(ring.sharpness))

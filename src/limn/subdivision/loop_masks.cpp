@@ -122,12 +122,14 @@ EdgeMask edge_mask(const LoopTopology& t, std::uint32_t edge, CreaseRule rule)
     const float sharp = t.sharpness[edge];
     if (rule == CreaseRule::opensubdiv || (rule == CreaseRule::hoppe && !(sharp > 0)))
         return edge_mask(sharp, {}, {}, rule); // whatever the ends are
+    const std::uint32_t h = t.half_edge[edge];
+    if (!(sharp > 0) && t.is_at_sharp_edge(t.start(h)) == t.is_at_sharp_edge(t.end(h)))
+        return {};
     const auto end_at = [&](std::uint32_t vertex) {
         const Spokes spokes = t.gather(vertex);
         const auto at = std::find(spokes.edges.begin(), spokes.edges.end(), edge) - spokes.edges.begin();
         return edge_end(spokes.sharpness, spokes.closed, std::size_t(at));
     };
-    const std::uint32_t h = t.half_edge[edge];
     return edge_mask(sharp, end_at(t.start(h)), end_at(t.end(h)), rule);
 }
 

@@ -194,6 +194,19 @@ Spokes LoopTopology::gather(std::uint32_t vertex) const
     return spokes;
 }
 
+bool LoopTopology::is_at_sharp_edge(std::uint32_t vertex) const
+{
+    std::uint32_t h = leaving[vertex];
+    if (h == none)
+        return false;
+    do { // a border would be the first edge, and is sharp
+        if (sharpness[edge[h]] > 0)
+            return true;
+        h = twin[next_half_edge(next_half_edge(h))];
+    } while (h != leaving[vertex]);
+    return false;
+}
+
 ControlMesh make_control_mesh(const Mesh& mesh, const ControlOptions& options)
 {
     check(mesh);

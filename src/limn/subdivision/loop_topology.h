@@ -50,6 +50,8 @@ struct LoopTopology {
     /// Empty for a vertex without faces. @param spokes  is filled; what it held goes
     void gather(std::uint32_t vertex, Spokes& spokes) const;
     Spokes gather(std::uint32_t vertex) const;
+    /// Whether an edge around the vertex is sharp; the same as its spokes tell, but quicker.
+    bool is_at_sharp_edge(std::uint32_t vertex) const;
 };
 
 /// What is made of a mesh before it is subdivided.
