@@ -58,22 +58,60 @@ template <int degree, class T> BezierTriangle<degree - 1, T> bezier_dw(const Bez
 }
 
 constexpr double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
-/// The number of Bernstein polynomials' multiplicity: degree! / (i! j! k!).
+/// degree! / (i! j! k!), by which coefficients of v^j w^k become Bernstein's.
 constexpr double multinomial(int degree, int j, int k) { return factorial(degree) / (factorial(degree - j - k) * factorial(j) * factorial(k)); }
+template <int degree> inline constexpr std::array<double, bezier_size(degree)> multinomials = [] {
+    std::array<double, bezier_size(degree)> all{};
+    for (int k = 0; k <= degree; ++k)
+        for (int j = 0; j <= degree - k; ++j)
+            all[bezier_index(degree, j, k)] = multinomial(degree, j, k);
+    return all;
+}();
 
 /// The product of two polynomials. @param multiply  of two coefficients
-template <int m, int n, class A, class B, class F> auto bezier_product(const BezierTriangle<m, A>& a, const BezierTriangle<n, B>& b, F&& multiply)
+template <int m, int n, class A, class B, class F> auto bezier_product(BezierTriangle<m, A> a, BezierTriangle<n, B> b, F&& multiply)
 {
     using T = decltype(multiply(a.c[0], b.c[0]));
+    for (std::size_t i = 0; i < a.c.size(); ++i)
+        a.c[i] *= multinomials<m>[i];
+    for (std::size_t i = 0; i < b.c.size(); ++i)
+        b.c[i] *= multinomials<n>[i];
     BezierTriangle<m + n, T> out;
     for (int ka = 0; ka <= m; ++ka)
         for (int ja = 0; ja <= m - ka; ++ja)
             for (int kb = 0; kb <= n; ++kb)
                 for (int jb = 0; jb <= n - kb; ++jb)
-                    out.at(ja + jb, ka + kb) += (multinomial(m, ja, ka) * multinomial(n, jb, kb)) * multiply(a.at(ja, ka), b.at(jb, kb));
-    for (int k = 0; k <= m + n; ++k)
-        for (int j = 0; j <= m + n - k; ++j)
-            out.at(j, k) = out.at(j, k) * (1 / multinomial(m + n, j, k));
+                    out.at(ja + jb, ka + kb) += multiply(a.at(ja, ka), b.at(jb, kb));
+    for (std::size_t i = 0; i < out.c.size(); ++i)
+        out.c[i] *= 1 / multinomials<m + n>[i];
+    return out;
+}
+
+/// The polynomial over a part of the triangle, as one over that part. @param corners  of the part, as weights (u, v, w)
+template <int degree, class T> BezierTriangle<degree, T> bezier_part(const BezierTriangle<degree, T>& b, const std::array<dvec3, 3>& corners)
+{
+    using Work = std::array<std::array<T, std::size_t(degree) + 1>, std::size_t(degree) + 1>;
+    const auto step = [](Work& work, int of_degree, const dvec3& at) { // de Casteljau, in place
+        for (std::size_t k = 0; k < std::size_t(of_degree); ++k)
+            for (std::size_t j = 0; j < std::size_t(of_degree) - k; ++j)
+                work[k][j] = at.x * work[k][j] + at.y * work[k][j + 1] + at.z * work[k + 1][j];
+    };
+    Work third;
+    for (int k = 0; k <= degree; ++k)
+        for (int j = 0; j <= degree - k; ++j)
+            third[std::size_t(k)][std::size_t(j)] = b.at(j, k);
+    BezierTriangle<degree, T> out;
+    for (int k = 0; k <= degree; ++k) { // the blossom: k times the third corner, j times the second, else the first
+        Work second = third;
+        for (int j = 0; j <= degree - k; ++j) {
+            Work first = second;
+            for (int left = degree - k - j; left > 0; --left)
+                step(first, left, corners[0]);
+            out.at(j, k) = first[0][0];
+            step(second, degree - k - j, corners[1]);
+        }
+        step(third, degree - k, corners[2]);
+    }
     return out;
 }
 

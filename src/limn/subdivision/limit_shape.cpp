@@ -121,24 +121,18 @@ PatchPiece LimitShape::piece(const PatchPoint& at, int deepest) const
     return {anchor(found.face), patch(found.face, *found.node), found.place.v, found.place.w, found.place.of_v, found.place.of_w};
 }
 
-dvec3 LimitShape::position(const PatchPoint& at) const
+SurfaceSample LimitShape::sample(const PatchPoint& at) const
 {
     const Found found = find(*table_, at, PatchClass::deepest + 2);
     const dvec3 from = anchor(found.face);
-    return found.node->kind == PatchClass::Kind::patch ? from + bezier_value(patch(found.face, *found.node), found.place.v, found.place.w) : from;
-}
-
-dvec3 LimitShape::normal(const PatchPoint& at) const
-{
-    const Found found = find(*table_, at, PatchClass::deepest + 2);
     if (found.node->kind == PatchClass::Kind::patch) {
         const double v = found.place.v, w = found.place.w;
         const BezierTriangle<1, dvec3> plane = casteljau_step(casteljau_step(casteljau_step(patch(found.face, *found.node), v, w), v, w), v, w);
-        return unit(glm::cross(plane.c[1] - plane.c[0], plane.c[2] - plane.c[0]));
+        return {from + bezier_value(plane, v, w), unit(glm::cross(plane.c[1] - plane.c[0], plane.c[2] - plane.c[0]))};
     }
     const PatchClass& patches = table_->patch_class(table_->class_of(found.face));
     const std::span<const std::uint32_t> support = table_->support(found.face);
-    return unit(glm::cross(weighted(patches.row(1), support, positions_), weighted(patches.row(2), support, positions_)));
+    return {from, unit(glm::cross(weighted(patches.row(1), support, positions_), weighted(patches.row(2), support, positions_)))};
 }
 
 LimitJet LimitShape::jet(const PatchPoint& at) const
@@ -160,7 +154,8 @@ LimitJet LimitShape::jet(const PatchPoint& at) const
         return d.x * e.x * f.x * third[0] + (d.x * e.x * f.y + d.x * e.y * f.x + d.y * e.x * f.x) * third[1] +
                (d.x * e.y * f.y + d.y * e.x * f.y + d.y * e.y * f.x) * third[2] + d.y * e.y * f.y * third[3];
     };
-    return {position(at), normal(at), first_along(a), first_along(b), second_along(a, a), second_along(a, b), second_along(b, b),
+    const SurfaceSample exact = sample(at);
+    return {exact.position, exact.normal, first_along(a), first_along(b), second_along(a, a), second_along(a, b), second_along(b, b),
             third_along(a, a, a), third_along(a, a, b), third_along(a, b, b), third_along(b, b, b)};
 }
 

@@ -13,6 +13,11 @@ struct PatchPoint {
     double v = 0, w = 0;
 };
 
+struct SurfaceSample {
+    dvec3 position;
+    dvec3 normal; ///< unit length
+};
+
 /// The limit surface at a place, and its derivatives after the parameters, one-sided at the borders of patches (the third jumps there).
 struct LimitJet {
     dvec3 position;
@@ -38,9 +43,10 @@ public:
     /// @param positions  of the control mesh's vertices
     LimitShape(const PatchTable& table, std::span<const dvec3> positions);
 
-    dvec3 position(const PatchPoint& at) const;
+    dvec3 position(const PatchPoint& at) const { return sample(at).position; }
     /// Unit length; of the side of creases that the face is on.
-    dvec3 normal(const PatchPoint& at) const;
+    dvec3 normal(const PatchPoint& at) const { return sample(at).normal; }
+    SurfaceSample sample(const PatchPoint& at) const;
     /// At an extraordinary vertex curvature has no value: at valence 7 and more it grows without bound. So near one, and near ends of creases,
     /// nearer than 2^-held_at of a control face, the derivatives are those of the place that far away in the same direction. Position and
     /// normal are exact everywhere.

@@ -1,0 +1,337 @@
+#include "limn/subdivision/contour_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limn/subdivision/bezier_roots.h"
+
+namespace limn {
+namespace {
+
+/// Levels below the refined face at which pieces end towards an extraordinary vertex.
+constexpr int deepest_piece = 4;
+/// Crossings are kept this far away from the ends of their side.
+constexpr double least = 1e-7;
+
+double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// The weights of a triangle's second and third corner at a place.
+dvec2 weights_at(const ParameterTriangle& t, const dvec2& at)
+{
+    const dvec2 a = t[1] - t[0], b = t[2] - t[0], d = at - t[0];
+    const double area = cross(a, b);
+    return {cross(d, b) / area, cross(a, d) / area};
+}
+
+bool holds(const ParameterTriangle& t, const dvec2& at, double slack = 1e-12)
+{
+    const dvec2 weights = weights_at(t, at);
+    return weights.x >= -slack && weights.y >= -slack && weights.x + weights.y <= 1 + slack;
+}
+
+dvec2 centroid(const ParameterTriangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+
+void add_pieces(const LimitShape& shape, const Eye& eye, std::uint32_t face, const PatchClass& patches, const PatchClass::Node& node, const dvec3& anchor,
+                const ParameterTriangle& corners, int depth, std::vector<ContourPiece>& pieces)
+{
+    if (node.kind == PatchClass::Kind::patch) {
+        pieces.push_back({corners, contour_polynomial(anchor, shape.patch(face, node), eye)});
+    } else if (node.kind == PatchClass::Kind::inner && depth < deepest_piece) {
+        const std::array<ParameterTriangle, 4> children = quarters(corners);
+        for (std::size_t k = 0; k < 4; ++k)
+            add_pieces(shape, eye, face, patches, patches.nodes[node.first_child + k], anchor, children[k], depth + 1, pieces);
+    }
+}
+
+const ContourPiece* piece_at(const ContourCell& cell, const dvec2& at)
+{
+    for (const ContourPiece& piece : cell.pieces)
+        if (holds(piece.corners, at))
+            return &piece;
+    return nullptr;
+}
+
+/// The direction in the piece's own parameters of one in those of the control face.
+dvec2 in_piece(const ContourPiece& piece, const dvec2& direction)
+{
+    return weights_at(piece.corners, piece.corners[0] + direction);
+}
+
+/// Whether g grows in a direction all over a cell.
+bool grows(const ContourCell& cell, const dvec2& direction)
+{
+    for (const ContourPiece& piece : cell.pieces) {
+        const dvec2 d = in_piece(piece, direction);
+        for (int k = 0; k < 10; ++k)
+            for (int j = 0; j < 10 - k; ++j) {
+                const double here = piece.g.at(j, k);
+                if (!(d.x * (piece.g.at(j + 1, k) - here) + d.y * (piece.g.at(j, k + 1) - here) > 0))
+                    return false;
+            }
+    }
+    return true;
+}
+
+bool has_one_sign(const ContourCell& cell)
+{
+    const bool negative = cell.pieces.empty() ? false : cell.pieces[0].g.c[0] < 0;
+    for (const ContourPiece& piece : cell.pieces)
+        for (const double c : piece.g.c)
+            if ((c < 0) != negative)
+                return false;
+    return true;
+}
+
+/// The direction in which g grows fastest at a place, among those of the control face's parameters.
+dvec2 gradient(const ContourCell& cell, const dvec2& at)
+{
+    const ContourPiece* piece = piece_at(cell, at);
+    if (!piece)
+        return dvec2(0);
+    const dvec2 place = weights_at(piece->corners, at);
+    const double dv = bezier_value(bezier_dv(piece->g), place.x, place.y), dw = bezier_value(bezier_dw(piece->g), place.x, place.y);
+    const dvec2 one = in_piece(*piece, {1, 0}), other = in_piece(*piece, {0, 1});
+    return {dv * one.x + dw * one.y, dv * other.x + dw * other.y};
+}
+
+/// Where g changes its sign along a segment that sides of pieces lie on, from 0 to 1.
+std::vector<double> changes_along(const std::vector<ContourPiece>& pieces, const dvec2& from, const dvec2& to)
+{
+    const dvec2 along = to - from;
+    const double length = glm::dot(along, along);
+    std::vector<double> changes, roots;
+    for (const ContourPiece& piece : pieces)
+        for (int side = 0; side < 3; ++side) {
+            const dvec2 a = piece.corners[std::size_t(side)] - from, b = piece.corners[std::size_t(side + 1) % 3] - from;
+            if (cross(a, along) != 0 || cross(b, along) != 0) // dyadic numbers: exact
+                continue;
+            const double begin = glm::dot(a, along) / length, end = glm::dot(b, along) / length;
+            roots.clear();
+            append_sign_changes(along_side(piece.g, side), roots);
+            for (const double root : roots)
+                changes.push_back(std::clamp(begin + root * (end - begin), least, 1 - least));
+        }
+    std::sort(changes.begin(), changes.end());
+    return changes;
+}
+
+/// The part of a line within a triangle, as parameters of the line.
+std::array<double, 2> within(const ParameterTriangle& t, const dvec2& origin, const dvec2& direction)
+{
+    double low = -1e30, high = 1e30;
+    for (std::size_t side = 0; side < 3; ++side) {
+        const dvec2 along = t[(side + 1) % 3] - t[side];
+        const double height = cross(along, origin - t[side]), slope = cross(along, direction); // inside where height + h slope >= 0
+        if (slope > 0)
+            low = std::max(low, -height / slope);
+        else if (slope < 0)
+            high = std::min(high, -height / slope);
+    }
+    return {low, high};
+}
+
+/// The only point of the contour on a line through the cell; where there is none, for rounding, the place given.
+dvec2 on_contour(const ContourCell& cell, const dvec2& at, const dvec2& direction)
+{
+    auto [low, high] = within(cell.corners, at, direction);
+    if (!(low < high))
+        return at;
+    double at_low = contour_value(cell, at + low * direction), at_high = contour_value(cell, at + high * direction);
+    if ((at_low < 0) == (at_high < 0))
+        return at;
+    double h = 0, width = high - low;
+    const double enough = 1e-10 * width;
+    int stays = 0;
+    for (int i = 0; i < 60 && high - low > enough; ++i) {
+        if (i > 0)
+            h = low - at_low * (high - low) / (at_high - at_low);
+        if (!(h > low && h < high))
+            h = 0.5 * (low + high);
+        const double g = contour_value(cell, at + h * direction);
+        if (g == 0)
+            break;
+        if ((g < 0) == (at_low < 0)) {
+            low = h, at_low = g;
+            at_high *= stays == 1 ? 0.5 : 1;
+            stays = 1;
+        } else {
+            high = h, at_high = g;
+            at_low *= stays == -1 ? 0.5 : 1;
+            stays = -1;
+        }
+    }
+    return at + h * direction;
+}
+
+/// The quarters of a cell, without crossings.
+std::array<SplitCell, 4> split(const ContourCell& cell)
+{
+    const std::array<ParameterTriangle, 4> children = quarters(cell.corners);
+    std::array<SplitCell, 4> out;
+    for (std::size_t k = 0; k < 4; ++k)
+        out[k].cell.corners = children[k];
+    for (const ContourPiece& piece : cell.pieces) {
+        const double part = std::abs(cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0]) /
+                                     cross(cell.corners[1] - cell.corners[0], cell.corners[2] - cell.corners[0]));
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (part <= 0.25) { // within one of the children
+                if (holds(children[k], centroid(piece.corners)))
+                    out[k].cell.pieces.push_back(piece);
+                continue;
+            }
+            std::array<dvec3, 3> corners;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const dvec2 weights = weights_at(piece.corners, children[k][i]);
+                corners[i] = {1 - weights.x - weights.y, weights.x, weights.y};
+            }
+            out[k].cell.pieces.push_back({children[k], bezier_part(piece.g, corners)});
+        }
+    }
+    return out;
+}
+
+class Tracer {
+public:
+    Tracer(const NeedsPoint& needs, int deepest) : needs_(needs), deepest_(deepest) {}
+
+    void trace(const ContourCell& cell, const std::vector<BoundaryCrossing>& crossings, int depth)
+    {
+        const std::size_t n = crossings.size();
+        if (n == 0 && has_one_sign(cell))
+            return;
+        if (cell.pieces.empty() || depth == deepest_) {
+            join_pairs(crossings);
+            return;
+        }
+        if (n == 0 || n == 2) {
+            const dvec2 direction = gradient(cell, n == 0 ? centroid(cell.corners) : 0.5 * (crossings[0].at + crossings[1].at));
+            if (direction != dvec2(0) && grows(cell, direction)) {
+                if (n == 2)
+                    walk(cell, crossings[0].at, crossings[1].at, direction);
+                return;
+            }
+        }
+        for (const SplitCell& child : split_with_crossings(cell, crossings))
+            trace(child.cell, child.crossings, depth + 1);
+    }
+    /// Joins arcs that end at the same place.
+    std::vector<ContourArc> finish()
+    {
+        std::vector<ContourArc> done;
+        while (!arcs_.empty()) {
+            ContourArc arc = std::move(arcs_.back());
+            arcs_.pop_back();
+            while (arc.front() != arc.back() && (extend(arc) || (std::reverse(arc.begin(), arc.end()), extend(arc)))) {
+            }
+            done.push_back(std::move(arc));
+        }
+        return done;
+    }
+
+private:
+    void walk(const ContourCell& cell, const dvec2& from, const dvec2& to, const dvec2& direction)
+    {
+        ContourArc arc = {from};
+        fill(cell, from, to, direction, 0, arc);
+        arc.push_back(to);
+        arcs_.push_back(std::move(arc));
+    }
+    void fill(const ContourCell& cell, const dvec2& a, const dvec2& b, const dvec2& direction, int depth, ContourArc& arc)
+    {
+        constexpr int most_halvings = 10;
+        if (depth == most_halvings)
+            return;
+        const dvec2 middle = on_contour(cell, 0.5 * (a + b), direction);
+        if (!needs_(a, middle, b, depth))
+            return;
+        fill(cell, a, middle, direction, depth + 1, arc);
+        arc.push_back(middle);
+        fill(cell, middle, b, direction, depth + 1, arc);
+    }
+    /// Where nothing more can be known, neighbours along the boundary are taken for the ends of arcs.
+    void join_pairs(std::vector<BoundaryCrossing> crossings)
+    {
+        std::sort(crossings.begin(), crossings.end(),
+                  [](const BoundaryCrossing& a, const BoundaryCrossing& b) { return a.side != b.side ? a.side < b.side : a.t < b.t; });
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+            arcs_.push_back({crossings[i].at, crossings[i + 1].at});
+    }
+    bool extend(ContourArc& arc)
+    {
+        for (std::size_t i = 0; i < arcs_.size(); ++i) {
+            ContourArc& other = arcs_[i];
+            if (other.back() == arc.back())
+                std::reverse(other.begin(), other.end());
+            if (other.front() != arc.back())
+                continue;
+            arc.insert(arc.end(), other.begin() + 1, other.end());
+            arcs_.erase(arcs_.begin() + std::ptrdiff_t(i));
+            return true;
+        }
+        return false;
+    }
+
+    const NeedsPoint& needs_;
+    int deepest_;
+    std::vector<ContourArc> arcs_;
+};
+
+} // namespace
+
+std::array<ParameterTriangle, 4> quarters(const ParameterTriangle& t)
+{
+    const dvec2 middle[3] = {0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0])};
+    return {{{t[0], middle[0], middle[2]}, {t[1], middle[1], middle[0]}, {t[2], middle[2], middle[1]}, {middle[0], middle[1], middle[2]}}};
+}
+
+ContourCell contour_cell(const LimitShape& shape, const Eye& eye, std::uint32_t face)
+{
+    ContourCell cell{{dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {}};
+    const std::array<ParameterTriangle, 4> children = quarters(cell.corners);
+    const PatchTable& table = shape.table();
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        const std::uint32_t refined = 4 * face + k;
+        const PatchClass& patches = table.patch_class(table.class_of(refined));
+        add_pieces(shape, eye, refined, patches, patches.nodes[0], shape.anchor(refined), children[k], 0, cell.pieces);
+    }
+    return cell;
+}
+
+std::array<SplitCell, 4> split_with_crossings(const ContourCell& cell, const std::vector<BoundaryCrossing>& crossings)
+{
+    std::array<SplitCell, 4> out = split(cell);
+    for (const BoundaryCrossing& c : crossings) {
+        if (c.t < 0.5)
+            out[std::size_t(c.side)].crossings.push_back({0, 2 * c.t, c.at});
+        else
+            out[std::size_t(c.side + 1) % 3].crossings.push_back({2, 2 * c.t - 1, c.at});
+    }
+    const ContourCell& middle = out[3].cell;
+    for (int side = 0; side < 3; ++side) { // shared with the second side of another quarter
+        const dvec2 from = middle.corners[std::size_t(side)], to = middle.corners[std::size_t(side + 1) % 3];
+        for (const double t : changes_along(middle.pieces, from, to)) {
+            const dvec2 at = from + t * (to - from);
+            out[3].crossings.push_back({side, t, at});
+            out[std::size_t(side + 1) % 3].crossings.push_back({1, 1 - t, at});
+        }
+    }
+    return out;
+}
+
+double contour_value(const ContourCell& cell, const dvec2& at)
+{
+    const ContourPiece* piece = piece_at(cell, at);
+    if (!piece)
+        return 0;
+    const dvec2 place = weights_at(piece->corners, at);
+    return bezier_value(piece->g, place.x, place.y);
+}
+
+std::vector<ContourArc> trace_contour(const ContourCell& cell, const std::vector<BoundaryCrossing>& crossings, const NeedsPoint& needs, int deepest)
+{
+    Tracer tracer(needs, deepest);
+    tracer.trace(cell, crossings, 0);
+    return tracer.finish();
+}
+
+} // namespace limn

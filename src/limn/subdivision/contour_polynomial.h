@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "limn/subdivision/box_spline.h"
+#include "limn/subdivision/silhouette_mesh.h"
+
+namespace limn {
+
+/// What is 0 at contours and positive where the surface faces the eye: (eye - p) . (p_v x p_w) over a patch, of degree 10 (silhouette-loop
+/// specification, 7). The cross product is not normalised, so only signs can be compared between patches.
+using ContourPolynomial = BezierTriangle<10, double>;
+
+/// @param anchor  positions are this plus the patch
+ContourPolynomial contour_polynomial(const dvec3& anchor, const QuarticPatch& patch, const Eye& eye);
+
+/// The same along a side only, in Bernstein form from corner `side` to the next.
+std::array<double, 11> contour_along_side(const dvec3& anchor, const QuarticPatch& patch, int side, const Eye& eye);
+
+/// The coefficients of a polynomial along a side, from corner `side` to the next.
+std::array<double, 11> along_side(const ContourPolynomial& polynomial, int side);
+
+} // namespace limn

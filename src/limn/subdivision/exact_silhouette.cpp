@@ -1,0 +1,204 @@
+#include "limn/subdivision/exact_silhouette.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "limn/base/parallel.h"
+#include "limn/subdivision/silhouette_face.h"
+
+namespace limn {
+namespace {
+
+constexpr std::size_t grain = 64;
+
+/// A control face as it is drawn; a single triangle where it is not cut.
+struct DrawnFace {
+    std::optional<CutFace> cut;
+    FaceTriangles made;
+};
+
+bool is_plain(const CutFace& face) { return face.leaves.size() == 1 && face.leaves[0].arcs.empty(); }
+
+bool has_edge_points(const LoopTopology& t, std::uint32_t face, const EdgePoints& edges)
+{
+    return !edges[t.edge[3 * face]].empty() || !edges[t.edge[3 * face + 1]].empty() || !edges[t.edge[3 * face + 2]].empty();
+}
+
+/// Whether a face drawn as one triangle shows the side that it should.
+bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front)
+{
+    const uvec3& t = view.topology().triangles[face];
+    const std::vector<dvec3>& p = view.corners.positions;
+    return turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) <= view.pixels;
+}
+
+class Maker {
+public:
+    Maker(const SilhouetteView& view, int deepest) : view_(view), deepest_(deepest), edges_(cut_edges(view)), faces_(view.topology().triangles.size()) {}
+
+    void make()
+    {
+        std::vector<std::uint8_t> changed(faces_.size(), 0);
+        parallel_each(faces_.size(), grain, [&](std::size_t f) {
+            const std::uint32_t face = std::uint32_t(f);
+            CutFace cut = cut_face(view_, face, edges_);
+            if (is_plain(cut) && !has_edge_points(view_.topology(), face, edges_) && is_good_triangle(view_, face, cut.leaves[0].front))
+                return;
+            faces_[f].cut = std::move(cut);
+            changed[f] = 1;
+        });
+        add_side_points(changed, changed);
+        for (;;) {
+            parallel_each(faces_.size(), grain, [&](std::size_t f) {
+                if (changed[f])
+                    faces_[f].made = triangulate_face(view_, *faces_[f].cut, edges_);
+            });
+            std::vector<std::uint8_t> split(faces_.size(), 0);
+            parallel_each(faces_.size(), grain, [&](std::size_t f) { split[f] = changed[f] && split_turned(faces_[f]); });
+            if (std::find(split.begin(), split.end(), 1) == split.end())
+                break;
+            changed = split;
+            add_side_points(split, changed);
+        }
+    }
+    SilhouetteMesh finish() const;
+    ExactSilhouetteReport report() const;
+
+private:
+    /// Cuts the leaves in four that show the wrong side. @return whether there were any
+    bool split_turned(DrawnFace& face) const
+    {
+        std::vector<bool> which = face.made.turned;
+        for (std::size_t i = 0; i < which.size(); ++i)
+            which[i] = which[i] && face.cut->leaves[i].level < deepest_;
+        if (std::find(which.begin(), which.end(), true) == which.end())
+            return false;
+        face.cut = split_leaves(view_, *face.cut, which);
+        return true;
+    }
+    /// Cuts edges where leaves of some faces have corners. @param changed  gains the faces beside edges that were cut
+    void add_side_points(const std::vector<std::uint8_t>& of, std::vector<std::uint8_t>& changed)
+    {
+        const LoopTopology& t = view_.topology();
+        std::vector<std::uint32_t> beside;
+        for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+            if (!of[f])
+                continue;
+            for (const SidePoint& point : side_points(*faces_[f].cut)) {
+                const std::uint32_t h = 3 * f + std::uint32_t(point.side), e = t.edge[h];
+                const bool runs = t.half_edge[e] == h;
+                if (add_edge_point(view_, e, runs ? point.t : 1 - point.t, edges_[e]) && t.twin[h] != none)
+                    beside.push_back(t.twin[h] / 3);
+            }
+        }
+        for (const std::uint32_t f : beside) {
+            changed[f] = 1;
+            if (!faces_[f].cut)
+                faces_[f].cut = cut_face(view_, f, edges_);
+        }
+    }
+
+    const SilhouetteView& view_;
+    int deepest_;
+    EdgePoints edges_;
+    std::vector<DrawnFace> faces_;
+};
+
+SilhouetteMesh Maker::finish() const
+{
+    const LoopTopology& t = view_.topology();
+    SilhouetteMesh out;
+    out.mesh.positions = view_.corners.positions;
+    std::vector<std::uint32_t> first_of_edge(edges_.size());
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+        first_of_edge[e] = std::uint32_t(out.mesh.positions.size());
+        for (const EdgePoint& p : edges_[e])
+            out.mesh.positions.push_back(p.position);
+    }
+    const auto add_corner = [&](const dvec3& normal, const dvec2& at) {
+        out.mesh.corner_normals.push_back(vec3(normal));
+        out.parameters.push_back(at);
+    };
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+        if (!faces_[f].cut) {
+            out.mesh.triangles.push_back(t.triangles[f]);
+            out.faces.push_back(f);
+            add_corner(view_.corners.normals[3 * f], {0, 0});
+            add_corner(view_.corners.normals[3 * f + 1], {1, 0});
+            add_corner(view_.corners.normals[3 * f + 2], {0, 1});
+            continue;
+        }
+        const FaceTriangles& made = faces_[f].made;
+        const std::uint32_t first_own = std::uint32_t(out.mesh.positions.size());
+        for (const SurfaceSample& sample : made.own)
+            out.mesh.positions.push_back(sample.position);
+        const auto vertex = [&](std::uint32_t p) {
+            const FacePoint& point = made.points[p];
+            return point.of == FacePoint::Of::corner ? t.triangles[f][int(point.side)]
+                   : point.of == FacePoint::Of::edge ? first_of_edge[t.edge[3 * f + point.side]] + point.index
+                                                     : first_own + point.index;
+        };
+        for (const uvec3& triangle : made.triangles) {
+            out.mesh.triangles.push_back({vertex(triangle.x), vertex(triangle.y), vertex(triangle.z)});
+            out.faces.push_back(f);
+            for (int k = 0; k < 3; ++k) {
+                const FacePoint& point = made.points[triangle[k]];
+                const std::uint32_t h = 3 * f + point.side, e = t.edge[h];
+                add_corner(point.of == FacePoint::Of::corner ? view_.corners.normals[h]
+                           : point.of == FacePoint::Of::edge ? edges_[e][point.index].normals[t.half_edge[e] == h ? 0 : 1]
+                                                             : made.own[point.index].normal,
+                           point.at);
+            }
+        }
+        for (const std::vector<std::uint32_t>& curve : made.curves) {
+            std::vector<std::uint32_t>& of_mesh = out.curves.emplace_back();
+            for (const std::uint32_t p : curve)
+                of_mesh.push_back(vertex(p));
+        }
+    }
+    return out;
+}
+
+ExactSilhouetteReport Maker::report() const
+{
+    ExactSilhouetteReport report;
+    for (const std::vector<EdgePoint>& points : edges_) {
+        std::size_t crossings[2] = {0, 0};
+        for (const EdgePoint& p : points)
+            for (std::size_t side = 0; side < 2; ++side)
+                crossings[side] += p.crossing[side];
+        report.crossed_edges += crossings[0] + crossings[1] > 0;
+        report.even_edges += (crossings[0] > 0 && crossings[0] % 2 == 0) || (crossings[1] > 0 && crossings[1] % 2 == 0);
+    }
+    for (const DrawnFace& face : faces_) {
+        report.cut_faces += face.cut.has_value();
+        report.curves += face.made.curves.size();
+        report.turned_over = std::max(report.turned_over, face.made.most_turned);
+    }
+    return report;
+}
+
+/// The middle of a mesh's vertices.
+dvec3 middle_of(std::span<const dvec3> positions)
+{
+    dvec3 sum(0);
+    for (const dvec3& p : positions)
+        sum += p;
+    return positions.empty() ? sum : sum / double(positions.size());
+}
+
+} // namespace
+
+SilhouetteMesh exact_silhouette(const LimitShape& shape, const LimitSurface& corners, const Camera& camera, const ExactSilhouetteOptions& options,
+                                ExactSilhouetteReport* report)
+{
+    constexpr double share = 0.5; // of the error that an arc may have; most arcs then keep below a tenth of it on average
+    const SilhouetteView view{shape, corners, PicturePlane(camera), searched_eye(camera, middle_of(corners.positions)), share * options.outline_error, options.curve_points};
+    Maker maker(view, options.deepest);
+    maker.make();
+    if (report)
+        *report = maker.report();
+    return maker.finish();
+}
+
+} // namespace limn

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "limn/camera/camera.h"
+#include "limn/subdivision/limit_shape.h"
+#include "limn/subdivision/loop_limit.h"
+#include "limn/subdivision/silhouette_mesh.h"
+
+namespace limn {
+
+struct ExactSilhouetteOptions {
+    double outline_error = 0.5; ///< pixels: how far the outline of the mesh may be from that of the limit surface
+    int curve_points = 0;       ///< parts of each arc of the contour; 0: as many as outline_error asks for
+    int deepest = 6;            ///< how often a control face may be cut in four
+};
+
+/// What was found and made.
+struct ExactSilhouetteReport {
+    std::size_t crossed_edges = 0;  ///< of the control mesh
+    std::size_t even_edges = 0;     ///< of those, crossed an even number of times
+    std::size_t curves = 0;         ///< pieces of contour
+    std::size_t cut_faces = 0;      ///< control faces that are not drawn as one triangle
+    double turned_over = 0;         ///< pixels: the greatest height of a triangle that shows the wrong side
+};
+
+/// A mesh for one picture: the control mesh with its corners on the limit surface, but cut along the contour of the limit surface, with as many
+/// points there as outline_error asks for, all of them on the surface and on its contour. Where a flat triangle would show another side than the
+/// surface does, and by more than outline_error, faces are cut into smaller ones; so the outline of the mesh is nothing but the contour's
+/// polylines and the borders. There are no T-vertices: what is cut on one side of an edge is cut on the other. (Silhouette-loop specification,
+/// 7; the condition on sides after Benard, Hertzmann and Kass 2014.) Parallel; same bytes for any number of threads.
+/// @param shape    under the rule of OpenSubdiv
+/// @param corners  limit_surface of the control mesh in the same pose
+SilhouetteMesh exact_silhouette(const LimitShape& shape, const LimitSurface& corners, const Camera& camera, const ExactSilhouetteOptions& options = {},
+                                ExactSilhouetteReport* report = nullptr);
+
+} // namespace limn

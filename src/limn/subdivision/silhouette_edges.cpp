@@ -1,0 +1,105 @@
+#include "limn/subdivision/silhouette_edges.h"
+
+#include <algorithm>
+
+#include "limn/base/parallel.h"
+#include "limn/subdivision/contour_crossings.h"
+
+namespace limn {
+namespace {
+
+constexpr std::size_t grain = 256;
+
+/// A place on a half-edge, t from its start to its end.
+PatchPoint on_half_edge(std::uint32_t h, double t)
+{
+    double weights[3] = {0, 0, 0};
+    weights[h % 3] = 1 - t;
+    weights[(h + 1) % 3] = t;
+    return {h / 3, weights[1], weights[2]};
+}
+
+bool is_sharp(const LoopTopology& t, std::uint32_t edge) { return t.sharpness[edge] > 0; }
+
+EdgePoint make_point(const SilhouetteView& view, std::uint32_t edge, double t)
+{
+    const LoopTopology& topology = view.topology();
+    const std::uint32_t h = topology.half_edge[edge], over = topology.twin[h];
+    const SurfaceSample sample = view.shape.sample(on_half_edge(h, t));
+    EdgePoint point{t, {false, false}, sample.position, {sample.normal, sample.normal}};
+    if (over != none && is_sharp(topology, edge))
+        point.normals[1] = view.shape.normal(on_half_edge(over, 1 - t));
+    return point;
+}
+
+/// The contour's crossings on one side, as parameters of the half-edge.
+std::vector<double> crossings_of(const SilhouetteView& view, std::uint32_t h)
+{
+    std::vector<double> crossings;
+    append_crossings(view.shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);
+    return crossings;
+}
+
+void add_outline_points(const SilhouetteView& view, std::uint32_t edge, const EdgePoint& a, const EdgePoint& b, int depth, std::vector<EdgePoint>& points)
+{
+    constexpr int deepest = 8;
+    const EdgePoint middle = make_point(view, edge, 0.5 * (a.t + b.t));
+    const dvec2 pixels[3] = {view.plane.pixel(a.position), view.plane.pixel(middle.position), view.plane.pixel(b.position)};
+    if (depth == deepest || !view.plane.is_in_picture(pixels))
+        return;
+    const dvec2 chord = pixels[2] - pixels[0], to_middle = pixels[1] - pixels[0];
+    const double square = glm::dot(chord, chord), t = square > 0 ? std::clamp(glm::dot(to_middle, chord) / square, 0.0, 1.0) : 0;
+    if (glm::length(to_middle - t * chord) <= view.pixels)
+        return;
+    add_outline_points(view, edge, a, middle, depth + 1, points);
+    points.push_back(middle);
+    add_outline_points(view, edge, middle, b, depth + 1, points);
+}
+
+/// Whether the eye sees a border or a sharp edge from one side only, somewhere.
+bool is_outline(const SilhouetteView& view, std::uint32_t edge, const std::vector<double> (&crossings)[2])
+{
+    const LoopTopology& t = view.topology();
+    const std::uint32_t h = t.half_edge[edge], over = t.twin[h];
+    if (over == none)
+        return true;
+    return is_sharp(t, edge) && (!crossings[0].empty() || !crossings[1].empty() || view.faces_eye(h) != view.faces_eye(next_half_edge(over)));
+}
+
+std::vector<EdgePoint> cut_edge(const SilhouetteView& view, std::uint32_t edge)
+{
+    const LoopTopology& t = view.topology();
+    const std::uint32_t h = t.half_edge[edge], over = t.twin[h];
+    const bool two_sides = over != none && is_sharp(t, edge);
+    std::vector<double> crossings[2] = {crossings_of(view, h), two_sides ? crossings_of(view, over) : std::vector<double>()};
+    std::vector<EdgePoint> points;
+    if (is_outline(view, edge, crossings))
+        add_outline_points(view, edge, make_point(view, edge, 0), make_point(view, edge, 1), 0, points);
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const double crossing : crossings[side]) {
+            points.push_back(make_point(view, edge, side == 0 ? crossing : 1 - crossing));
+            points.back().crossing = {side == 0 || !two_sides, side == 1 || !two_sides};
+        }
+    std::sort(points.begin(), points.end(), [](const EdgePoint& a, const EdgePoint& b) { return a.t < b.t; });
+    return points;
+}
+
+} // namespace
+
+EdgePoints cut_edges(const SilhouetteView& view)
+{
+    EdgePoints edges(view.topology().edge_count());
+    parallel_each(edges.size(), grain, [&](std::size_t e) { edges[e] = cut_edge(view, std::uint32_t(e)); });
+    return edges;
+}
+
+bool add_edge_point(const SilhouetteView& view, std::uint32_t edge, double t, std::vector<EdgePoint>& points)
+{
+    const auto at = std::lower_bound(points.begin(), points.end(), t, [](const EdgePoint& p, double value) { return p.t < value; });
+    if (at != points.end() && at->t == t)
+        return false;
+    points.insert(at, make_point(view, edge, t));
+    return true;
+}
+
+} // namespace limn

@@ -1,0 +1,366 @@
+#include "limn/subdivision/silhouette_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "limn/subdivision/polygon_triangles.h"
+
+namespace limn {
+namespace {
+
+constexpr int most_levels_for_loops = 6;
+
+/// A place on side k of a face, seen from the face.
+dvec2 on_side(std::uint32_t k, double t)
+{
+    double weights[3] = {0, 0, 0};
+    weights[k] = 1 - t;
+    weights[(k + 1) % 3] = t;
+    return {weights[1], weights[2]};
+}
+
+/// The parameter along side k of a point of its edge.
+double along_side(const LoopTopology& topology, std::uint32_t h, double t) { return topology.half_edge[topology.edge[h]] == h ? t : 1 - t; }
+
+std::size_t side_of_edge(const LoopTopology& topology, std::uint32_t h) { return topology.half_edge[topology.edge[h]] == h ? 0 : 1; }
+
+/// The samples that arcs are measured by, each made once.
+class ArcMeasure {
+public:
+    ArcMeasure(const SilhouetteView& view, std::uint32_t face) : view_(view), face_(face) {}
+    bool needs(const dvec2& a, const dvec2& middle, const dvec2& b, int halvings)
+    {
+        if (view_.curve_points > 0)
+            return (1 << halvings) < view_.curve_points;
+        return chord_error(view_.plane, sample(a), sample(middle), sample(b)) > view_.pixels;
+    }
+
+private:
+    const SurfaceSample& sample(const dvec2& at)
+    {
+        for (const auto& [place, known] : samples_)
+            if (place == at)
+                return known;
+        samples_.emplace_back(at, view_.shape.sample({face_, at.x, at.y}));
+        return samples_.back().second;
+    }
+    const SilhouetteView& view_;
+    std::uint32_t face_;
+    std::vector<std::pair<dvec2, SurfaceSample>> samples_;
+};
+
+void trace(const SilhouetteView& view, std::uint32_t face, FaceLeaf& leaf)
+{
+    ArcMeasure measure(view, face);
+    const NeedsPoint needs = [&](const dvec2& a, const dvec2& middle, const dvec2& b, int halvings) { return measure.needs(a, middle, b, halvings); };
+    leaf.arcs = trace_contour(leaf.cell, leaf.crossings, needs);
+    if (leaf.arcs.empty()) {
+        leaf.front = leaf.cell.pieces.empty() ? leaf.front : contour_value(leaf.cell, (leaf.cell.corners[0] + leaf.cell.corners[1] + leaf.cell.corners[2]) / 3.0) >= 0;
+        leaf.cell.pieces.clear();
+    }
+}
+
+bool has_loop(const FaceLeaf& leaf)
+{
+    return std::any_of(leaf.arcs.begin(), leaf.arcs.end(), [](const ContourArc& arc) { return arc.front() == arc.back(); });
+}
+
+void append_children(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf, std::vector<FaceLeaf>& out)
+{
+    std::array<SplitCell, 4> children = split_with_crossings(leaf.cell, leaf.crossings);
+    for (SplitCell& child : children) {
+        FaceLeaf& next = out.emplace_back();
+        next = {std::move(child.cell), std::move(child.crossings), {}, leaf.front, leaf.level + 1};
+        trace(view, face, next);
+    }
+}
+
+CutFace without_loops(const SilhouetteView& view, CutFace face)
+{
+    for (int level = 0; level < most_levels_for_loops; ++level) {
+        std::vector<bool> which;
+        for (const FaceLeaf& leaf : face.leaves)
+            which.push_back(has_loop(leaf));
+        if (std::find(which.begin(), which.end(), true) == which.end())
+            break;
+        face = split_leaves(view, face, which);
+    }
+    return face;
+}
+
+double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// Points by their places.
+class PointSet {
+public:
+    /// @return its number; it keeps the one that it had
+    std::uint32_t add(const FacePoint& point)
+    {
+        const auto [place, is_new] = numbers_.try_emplace({point.at.x, point.at.y}, std::uint32_t(points.size()));
+        if (is_new)
+            points.push_back(point);
+        return place->second;
+    }
+    std::uint32_t number(const dvec2& at) const { return numbers_.at({at.x, at.y}); }
+
+    std::vector<FacePoint> points;
+
+private:
+    std::map<std::pair<double, double>, std::uint32_t> numbers_;
+};
+
+/// Everything that may lie on sides of leaves.
+PointSet boundary_points(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges)
+{
+    const LoopTopology& t = view.topology();
+    PointSet set;
+    for (std::uint32_t k = 0; k < 3; ++k)
+        set.add({FacePoint::Of::corner, k, 0, on_side(k, 0)});
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t h = 3 * face.face + k;
+        const std::vector<EdgePoint>& points = edges[t.edge[h]];
+        for (std::uint32_t i = 0; i < points.size(); ++i)
+            set.add({FacePoint::Of::edge, k, i, on_side(k, along_side(t, h, points[i].t))});
+    }
+    for (const FaceLeaf& leaf : face.leaves) {
+        for (const dvec2& corner : leaf.cell.corners)
+            set.add({FacePoint::Of::face, 0, 0, corner});
+        for (const BoundaryCrossing& c : leaf.crossings)
+            set.add({FacePoint::Of::face, 0, 0, c.at});
+    }
+    return set;
+}
+
+/// Appends the points within a side, in order. The ends of sides are dyadic; crossings keep away from them further than their places are
+/// rounded.
+void append_between(std::span<const FacePoint> points, const dvec2& from, const dvec2& to, Polygon& polygon)
+{
+    constexpr double rounding = 1e-13;
+    const dvec2 along = to - from;
+    const double square = glm::dot(along, along);
+    std::vector<std::pair<double, std::uint32_t>> found;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const dvec2 d = points[i].at - from;
+        const double t = glm::dot(d, along) / square;
+        if (t > 0 && t < 1 && std::abs(cross(d, along)) <= rounding * std::sqrt(square) && points[i].at != to)
+            found.emplace_back(t, i);
+    }
+    std::sort(found.begin(), found.end());
+    for (const auto& [t, i] : found)
+        polygon.push_back(i);
+}
+
+/// The part of a leaf on one side of its arcs.
+struct Region {
+    Polygon polygon;
+    bool front;
+};
+
+bool faces_eye_at(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf, const dvec2& corner)
+{
+    if (leaf.arcs.empty())
+        return leaf.front;
+    for (std::uint32_t k = 0; k < 3; ++k)
+        if (corner == on_side(k, 0))
+            return view.faces_eye(3 * face + k);
+    return contour_value(leaf.cell, corner) >= 0;
+}
+
+/// The leaf's polygon, cut along its arcs. @param curves  gains those that cut it
+std::vector<Region> regions_of(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf, std::span<const FacePoint> on_sides, PointSet& set,
+                               std::vector<std::vector<std::uint32_t>>& curves)
+{
+    std::uint32_t corners[3];
+    Polygon whole;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const dvec2 &from = leaf.cell.corners[k], &to = leaf.cell.corners[(k + 1) % 3];
+        corners[k] = set.number(from);
+        whole.push_back(corners[k]);
+        append_between(on_sides, from, to, whole);
+    }
+    std::vector<Region> regions = {{std::move(whole), faces_eye_at(view, face, leaf, leaf.cell.corners[0])}};
+    const auto sign_of = [&](const Polygon& polygon, bool otherwise) {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (std::find(polygon.begin(), polygon.end(), corners[k]) != polygon.end())
+                return faces_eye_at(view, face, leaf, leaf.cell.corners[k]);
+        return otherwise;
+    };
+    for (const ContourArc& arc : leaf.arcs) {
+        std::vector<std::uint32_t> line;
+        for (const dvec2& at : arc)
+            line.push_back(set.add({FacePoint::Of::face, 0, 0, at}));
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            std::vector<Polygon> parts = cut_polygon(regions[i].polygon, line);
+            if (parts.empty())
+                continue;
+            const bool first = sign_of(parts[0], !sign_of(parts[1], !regions[i].front));
+            regions.push_back({std::move(parts[1]), sign_of(parts[1], !first)});
+            regions[i] = {std::move(parts[0]), first};
+            curves.push_back(std::move(line));
+            break;
+        }
+    }
+    return regions;
+}
+
+/// Places in a leaf's plane, so that its triangles have their shape; the parameters where it has no plane.
+class LeafPlane {
+public:
+    LeafPlane(const SilhouetteView& view, std::uint32_t face, const ParameterTriangle& corners) : corners_(corners)
+    {
+        dvec3 p[3];
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = view.shape.position({face, corners[k].x, corners[k].y});
+        const dvec3 a = p[1] - p[0], b = p[2] - p[0];
+        const double length = glm::length(a), height = length > 0 ? glm::length(glm::cross(a, b)) / length : 0;
+        if (height > 0)
+            first_ = {length, 0}, second_ = {glm::dot(a, b) / length, height};
+    }
+    dvec2 place(const dvec2& at) const
+    {
+        const dvec2 a = corners_[1] - corners_[0], b = corners_[2] - corners_[0], d = at - corners_[0];
+        const double area = cross(a, b);
+        return cross(d, b) / area * first_ + cross(a, d) / area * second_;
+    }
+
+private:
+    const ParameterTriangle& corners_;
+    dvec2 first_ = {1, 0}, second_ = {0, 1};
+};
+
+dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const EdgePoints& edges, const std::vector<SurfaceSample>& own)
+{
+    const LoopTopology& t = view.topology();
+    switch (point.of) {
+    case FacePoint::Of::corner: return view.corners.positions[t.triangles[face][int(point.side)]];
+    case FacePoint::Of::edge: return edges[t.edge[3 * face + point.side]][point.index].position;
+    default: return own[point.index].position;
+    }
+}
+
+} // namespace
+
+bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges)
+{
+    const LoopTopology& t = view.topology();
+    std::array<double, 6> heights; // sines of the angles between normals and contour
+    std::array<dvec3, 6> normals;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t h = 3 * face + k;
+        for (const EdgePoint& p : edges[t.edge[h]])
+            if (p.crossing[side_of_edge(t, h)])
+                return true;
+        const dvec2 middle = on_side(k, 0.5);
+        const SurfaceSample sample = view.shape.sample({face, middle.x, middle.y});
+        const dvec3& corner = view.corners.positions[t.start(h)];
+        normals[k] = view.corners.normals[h];
+        normals[k + 3] = sample.normal;
+        heights[k] = glm::dot(glm::normalize(view.eye.from(corner)), normals[k]);
+        heights[k + 3] = glm::dot(glm::normalize(view.eye.from(sample.position)), sample.normal);
+    }
+    double apart = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            apart = std::max(apart, std::max(glm::distance(normals[i], normals[k]), std::abs(heights[i] - heights[k])));
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    return *low < apart && *high > -apart;
+}
+
+CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges)
+{
+    const LoopTopology& t = view.topology();
+    CutFace out{face, {}};
+    FaceLeaf& leaf = out.leaves.emplace_back();
+    leaf.cell.corners = {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)};
+    leaf.front = view.faces_eye(3 * face);
+    if (!may_hold_contour(view, face, edges))
+        return out;
+    leaf.cell = contour_cell(view.shape, view.eye, face);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t h = 3 * face + k;
+        for (const EdgePoint& p : edges[t.edge[h]])
+            if (p.crossing[side_of_edge(t, h)]) {
+                const double along = along_side(t, h, p.t);
+                leaf.crossings.push_back({int(k), along, on_side(k, along)});
+            }
+    }
+    trace(view, face, leaf);
+    return without_loops(view, std::move(out));
+}
+
+CutFace split_leaves(const SilhouetteView& view, const CutFace& face, const std::vector<bool>& which)
+{
+    CutFace out{face.face, {}};
+    for (std::size_t i = 0; i < face.leaves.size(); ++i) {
+        if (which[i])
+            append_children(view, face.face, face.leaves[i], out.leaves);
+        else
+            out.leaves.push_back(face.leaves[i]);
+    }
+    return out;
+}
+
+std::vector<SidePoint> side_points(const CutFace& face)
+{
+    std::vector<SidePoint> points;
+    for (const FaceLeaf& leaf : face.leaves)
+        for (const dvec2& at : leaf.cell.corners) {
+            const dvec3 weights(1 - at.x - at.y, at.x, at.y);
+            for (int side = 0; side < 3; ++side)
+                if (weights[(side + 2) % 3] == 0 && weights[side] > 0 && weights[side] < 1)
+                    points.push_back({side, weights[(side + 1) % 3]});
+        }
+    return points;
+}
+
+double turned_over(const SilhouetteView& view, const std::array<dvec3, 3>& corners, bool front)
+{
+    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if ((glm::dot(view.eye.from(corners[0]), normal) >= 0) == front)
+        return 0;
+    const dvec2 p[3] = {view.plane.pixel(corners[0]), view.plane.pixel(corners[1]), view.plane.pixel(corners[2])};
+    if (!view.plane.is_in_picture(p))
+        return 0;
+    const double longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+    return longest > 0 ? std::abs(cross(p[1] - p[0], p[2] - p[0])) / longest : 0;
+}
+
+FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges)
+{
+    PointSet set = boundary_points(view, face, edges);
+    const std::size_t on_sides = set.points.size();
+    FaceTriangles out;
+    std::vector<std::vector<Region>> regions;
+    for (const FaceLeaf& leaf : face.leaves) {
+        const std::vector<FacePoint> sides(set.points.begin(), set.points.begin() + std::ptrdiff_t(on_sides));
+        regions.push_back(regions_of(view, face.face, leaf, sides, set, out.curves));
+    }
+    out.points = std::move(set.points);
+    for (FacePoint& point : out.points)
+        if (point.of == FacePoint::Of::face) {
+            point.index = std::uint32_t(out.own.size());
+            out.own.push_back(view.shape.sample({face.face, point.at.x, point.at.y}));
+        }
+    out.turned.assign(face.leaves.size(), false);
+    std::vector<dvec2> places(out.points.size());
+    for (std::size_t i = 0; i < face.leaves.size(); ++i) {
+        const LeafPlane plane(view, face.face, face.leaves[i].cell.corners);
+        for (const Region& region : regions[i]) {
+            for (const std::uint32_t p : region.polygon)
+                places[p] = plane.place(out.points[p].at);
+            for (const uvec3& t : triangulate_polygon(region.polygon, places)) {
+                std::array<dvec3, 3> corners;
+                for (int k = 0; k < 3; ++k)
+                    corners[std::size_t(k)] = position_of(view, face.face, out.points[t[k]], edges, out.own);
+                const double turned = turned_over(view, corners, region.front);
+                out.turned[i] = out.turned[i] || turned > view.pixels;
+                out.most_turned = std::max(out.most_turned, turned);
+                out.triangles.push_back(t);
+            }
+        }
+    }
+    return out;
+}
+
+} // namespace limn

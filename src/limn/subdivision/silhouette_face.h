@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/subdivision/contour_cells.h"
+#include "limn/subdivision/silhouette_edges.h"
+#include "limn/subdivision/silhouette_view.h"
+
+namespace limn {
+
+/// A triangle of a control face that is drawn as one, but for points on its sides and the arcs that cut it.
+struct FaceLeaf {
+    ContourCell cell; ///< without pieces where no contour is
+    std::vector<BoundaryCrossing> crossings;
+    std::vector<ContourArc> arcs;
+    bool front = false; ///< where no contour is: whether it faces the eye
+    int level = 0;
+};
+
+/// A control face that is not drawn as a single triangle.
+struct CutFace {
+    std::uint32_t face = 0;
+    std::vector<FaceLeaf> leaves;
+};
+
+/// Whether a contour can be in a face: one crosses its edges, or the normals at its corners and at the middles of its sides come as near to it as
+/// they are apart from each other (half of what they are apart would do for normals that turn evenly).
+bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges);
+
+/// A control face with the contours in it. It is cut in four until closed curves are cut open.
+CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges);
+
+/// Cuts some leaves in four.
+/// @param which  one flag per leaf
+CutFace split_leaves(const SilhouetteView& view, const CutFace& face, const std::vector<bool>& which);
+
+/// Where the leaves' corners lie on the sides of the face, between its corners: side and parameter along it.
+struct SidePoint {
+    int side;
+    double t;
+};
+std::vector<SidePoint> side_points(const CutFace& face);
+
+/// A point of a face: one of its corners, of its edges' points, or its own.
+struct FacePoint {
+    enum class Of : std::uint8_t { corner, edge, face };
+    Of of = Of::face;
+    std::uint32_t side = 0;  ///< corner or edge of the face
+    std::uint32_t index = 0; ///< among EdgePoints of the edge, or the face's own points
+    dvec2 at;                ///< parameters
+};
+
+struct FaceTriangles {
+    std::vector<FacePoint> points;
+    std::vector<SurfaceSample> own;
+    std::vector<uvec3> triangles;     ///< of points
+    std::vector<std::vector<std::uint32_t>> curves;
+    /// Per leaf: whether a triangle is turned over in the picture, against what the contour says, by more than SilhouetteView::pixels.
+    std::vector<bool> turned;
+    double most_turned = 0; ///< pixels: the greatest height of triangles that are turned over
+};
+FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges);
+
+/// By how many pixels a triangle is turned over: its least height in the picture where it does not show the side that it should, else 0.
+double turned_over(const SilhouetteView& view, const std::array<dvec3, 3>& corners, bool front);
+
+} // namespace limn

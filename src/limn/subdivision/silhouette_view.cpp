@@ -1,0 +1,45 @@
+#include "limn/subdivision/silhouette_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+/// The part of a unit direction along another, of any length.
+double along(const dvec2& unit, const dvec2& direction)
+{
+    const double length = glm::length(direction);
+    return length > 0 ? glm::dot(unit, direction) / length : 0;
+}
+
+} // namespace
+
+Eye searched_eye(const Camera& camera, const dvec3& centre)
+{
+    constexpr double share = 1e-8;
+    const dvec3 aside(0.532, 0.747, 0.399); // of no symmetry
+    if (camera.orthographic)
+        return {dvec4(-camera.forward() + share * aside, 0)};
+    const double distance = std::max(glm::distance(camera.eye, centre), glm::length(camera.eye));
+    return {dvec4(camera.eye + share * distance * aside, 1)};
+}
+
+double chord_error(const PicturePlane& plane, const SurfaceSample& a, const SurfaceSample& middle, const SurfaceSample& b)
+{
+    constexpr double s_shape = 0.1; // of chord and slope at the ends: how far a cubic goes that is 0 in the middle
+    const std::array<dvec2, 3> pixels = {plane.pixel(a.position), plane.pixel(middle.position), plane.pixel(b.position)};
+    if (!plane.is_in_picture(pixels))
+        return 0;
+    const dvec2 chord = pixels[2] - pixels[0], to_middle = pixels[1] - pixels[0];
+    const double length = glm::length(chord);
+    if (!(length > 0))
+        return glm::length(to_middle);
+    const dvec2 unit = chord / length;
+    const double t = std::clamp(glm::dot(to_middle, unit), 0.0, length);
+    const double slope = std::max(std::abs(along(unit, plane.across(a.normal))), std::abs(along(unit, plane.across(b.normal))));
+    return std::max(glm::length(to_middle - t * unit), s_shape * length * slope);
+}
+
+} // namespace limn

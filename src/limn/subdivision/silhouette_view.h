@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+
+#include "limn/camera/camera.h"
+#include "limn/subdivision/limit_shape.h"
+#include "limn/subdivision/loop_limit.h"
+#include "limn/subdivision/silhouette_mesh.h"
+
+namespace limn {
+
+/// A camera, prepared for many points: where they fall in the picture, in pixels.
+class PicturePlane {
+public:
+    explicit PicturePlane(const Camera& camera)
+        : right_(camera.right()), above_(camera.above()), forward_(camera.forward()), eye_(camera.eye), scale_(camera.pixels_per_unit(1)),
+          middle_(dvec2(camera.size) * 0.5), size_(camera.size), parallel_(camera.orthographic)
+    {
+    }
+    /// Points behind the eye are taken to be just in front of it.
+    dvec2 pixel(const dvec3& p) const
+    {
+        const dvec3 d = p - eye_;
+        const double depth = parallel_ ? 1 : std::max(glm::dot(d, forward_), nearest), s = scale_ / depth;
+        return {middle_.x + s * glm::dot(d, right_), middle_.y - s * glm::dot(d, above_)};
+    }
+    /// The direction in the picture across an outline, of no particular length, from the surface's normal there.
+    dvec2 across(const dvec3& normal) const { return {glm::dot(normal, right_), -glm::dot(normal, above_)}; }
+    /// Whether the box around some points touches the picture.
+    bool is_in_picture(std::span<const dvec2> pixels) const
+    {
+        dvec2 low = pixels[0], high = pixels[0];
+        for (const dvec2& p : pixels)
+            low = glm::min(low, p), high = glm::max(high, p);
+        return high.x >= 0 && high.y >= 0 && low.x <= size_.x && low.y <= size_.y;
+    }
+
+private:
+    static constexpr double nearest = 1e-9;
+    dvec3 right_, above_, forward_, eye_;
+    double scale_;
+    dvec2 middle_, size_;
+    bool parallel_;
+};
+
+/// The eye that contours are searched for: the camera's, moved by a 10^-8th of its distance (or turned by as much), so that contours of
+/// symmetrical shapes do not run along edges and through vertices.
+Eye searched_eye(const Camera& camera, const dvec3& centre);
+
+/// All that the parts of an exact silhouette read.
+struct SilhouetteView {
+    const LimitShape& shape;
+    const LimitSurface& corners; ///< of the control mesh in the same pose
+    PicturePlane plane;
+    Eye eye;
+    double pixels;    ///< how far from the true outline a polyline may be
+    int curve_points; ///< parts of each arc; 0: as many as `pixels` asks for
+
+    const LoopTopology& topology() const { return shape.table().control(); }
+    /// Whether the surface faces the eye at the start of a half-edge, on the side of its face.
+    bool faces_eye(std::uint32_t half_edge) const
+    {
+        return glm::dot(eye.from(corners.positions[topology().start(half_edge)]), corners.normals[half_edge]) >= 0;
+    }
+};
+
+/// How far a curve in the picture is from the chord between two of its points, in pixels, judged by a point between and the directions across
+/// it at both ends. 0 where nothing of it is in the picture.
+double chord_error(const PicturePlane& plane, const SurfaceSample& a, const SurfaceSample& middle, const SurfaceSample& b);
+
+} // namespace limn
