@@ -21,10 +21,19 @@ bool is_inside(const dvec2& p, const dvec2& a, const dvec2& b, const dvec2& c)
     return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0;
 }
 
-/// How good an ear corner i of what is left would be; negative where it is none.
-double ear_quality(const Polygon& left, std::size_t i, std::span<const dvec2> points)
+bool is_straight(const Polygon& left, std::size_t i, std::span<const std::uint8_t> lines)
 {
     const std::size_t n = left.size();
+    return (lines[left[(i + n - 1) % n]] & lines[left[i]] & lines[left[(i + 1) % n]]) != 0;
+}
+
+/// How good an ear corner i of what is left would be; negative where it is none.
+double ear_quality(const Polygon& left, std::size_t i, const PolygonPoints& all)
+{
+    const std::size_t n = left.size();
+    if (is_straight(left, i, all.lines))
+        return -1;
+    const std::span<const dvec2> points = all.places;
     const dvec2 &a = points[left[(i + n - 1) % n]], &b = points[left[i]], &c = points[left[(i + 1) % n]];
     const double shape = quality(a, b, c);
     if (!(shape > 0))
@@ -49,16 +58,16 @@ Polygon part_of(const Polygon& polygon, std::size_t from, std::size_t to)
 }
 
 /// The ear to cut off: the best shaped, and where nothing fits the one that turns over least.
-std::size_t choose_ear(const Polygon& left, const std::vector<double>& qualities, std::span<const dvec2> points)
+std::size_t choose_ear(const Polygon& left, const std::vector<double>& qualities, const PolygonPoints& all)
 {
     const auto best = std::max_element(qualities.begin(), qualities.end());
     if (*best >= 0)
         return std::size_t(best - qualities.begin());
     const std::size_t n = left.size();
     std::size_t least = 0;
-    double most = -2;
+    double most = -3;
     for (std::size_t i = 0; i < n; ++i) {
-        const double shape = quality(points[left[(i + n - 1) % n]], points[left[i]], points[left[(i + 1) % n]]);
+        const double shape = is_straight(left, i, all.lines) ? -2 : quality(all.places[left[(i + n - 1) % n]], all.places[left[i]], all.places[left[(i + 1) % n]]);
         if (shape > most)
             most = shape, least = i;
     }
@@ -81,7 +90,7 @@ std::vector<Polygon> cut_polygon(const Polygon& polygon, std::span<const std::ui
     return {std::move(first), std::move(second)};
 }
 
-std::vector<uvec3> triangulate_polygon(const Polygon& polygon, std::span<const dvec2> points)
+std::vector<uvec3> triangulate_polygon(const Polygon& polygon, const PolygonPoints& points)
 {
     Polygon left = polygon;
     std::vector<double> qualities;

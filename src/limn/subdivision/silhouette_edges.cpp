@@ -19,7 +19,8 @@ PatchPoint on_half_edge(std::uint32_t h, double t)
     return {h / 3, weights[1], weights[2]};
 }
 
-bool is_sharp(const LoopTopology& t, std::uint32_t edge) { return t.sharpness[edge] > 0; }
+/// Whether the limit surface has a fold there; semi-sharp edges become smooth.
+bool is_sharp(const LoopTopology& t, std::uint32_t edge) { return t.sharpness[edge] >= infinitely_sharp; }
 
 EdgePoint make_point(const SilhouetteView& view, std::uint32_t edge, double t)
 {
@@ -66,6 +67,23 @@ bool is_outline(const SilhouetteView& view, std::uint32_t edge, const std::vecto
     return is_sharp(t, edge) && (!crossings[0].empty() || !crossings[1].empty() || view.faces_eye(h) != view.faces_eye(next_half_edge(over)));
 }
 
+/// Points that are as good as the same become one.
+std::vector<EdgePoint> without_repeats(std::vector<EdgePoint> points)
+{
+    constexpr double same = 1e-9;
+    std::vector<EdgePoint> out;
+    for (const EdgePoint& p : points) {
+        const bool repeated = !out.empty() && p.t - out.back().t < same && !(p.crossing[0] && out.back().crossing[0]) && !(p.crossing[1] && out.back().crossing[1]);
+        if (!repeated) {
+            out.push_back(p);
+            continue;
+        }
+        for (std::size_t side = 0; side < 2; ++side)
+            out.back().crossing[side] = out.back().crossing[side] || p.crossing[side];
+    }
+    return out;
+}
+
 std::vector<EdgePoint> cut_edge(const SilhouetteView& view, std::uint32_t edge)
 {
     const LoopTopology& t = view.topology();
@@ -81,7 +99,7 @@ std::vector<EdgePoint> cut_edge(const SilhouetteView& view, std::uint32_t edge)
             points.back().crossing = {side == 0 || !two_sides, side == 1 || !two_sides};
         }
     std::sort(points.begin(), points.end(), [](const EdgePoint& a, const EdgePoint& b) { return a.t < b.t; });
-    return points;
+    return without_repeats(std::move(points));
 }
 
 } // namespace

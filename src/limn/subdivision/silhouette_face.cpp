@@ -50,10 +50,22 @@ private:
     std::vector<std::pair<dvec2, SurfaceSample>> samples_;
 };
 
+bool are_on_one_side(const std::vector<BoundaryCrossing>& crossings, const dvec2& a, const dvec2& b)
+{
+    for (const BoundaryCrossing& from : crossings)
+        for (const BoundaryCrossing& to : crossings)
+            if (from.at == a && to.at == b && from.side == to.side)
+                return true;
+    return false;
+}
+
 void trace(const SilhouetteView& view, std::uint32_t face, FaceLeaf& leaf)
 {
     ArcMeasure measure(view, face);
-    const NeedsPoint needs = [&](const dvec2& a, const dvec2& middle, const dvec2& b, int halvings) { return measure.needs(a, middle, b, halvings); };
+    // An arc that leaves through the side that it came in by must not be the side itself, which may be such an arc of the next face too.
+    const NeedsPoint needs = [&](const dvec2& a, const dvec2& middle, const dvec2& b, int halvings) {
+        return (halvings == 0 && are_on_one_side(leaf.crossings, a, b)) || measure.needs(a, middle, b, halvings);
+    };
     leaf.arcs = trace_contour(leaf.cell, leaf.crossings, needs);
     if (leaf.arcs.empty()) {
         leaf.front = leaf.cell.pieces.empty() ? leaf.front : contour_value(leaf.cell, (leaf.cell.corners[0] + leaf.cell.corners[1] + leaf.cell.corners[2]) / 3.0) >= 0;
@@ -157,6 +169,25 @@ struct Region {
     bool front;
 };
 
+/// A leaf's corners and the points on its sides.
+struct LeafBoundary {
+    std::array<std::uint32_t, 3> corners;
+    std::array<Polygon, 3> sides; ///< from corner to corner, both included
+};
+
+LeafBoundary boundary_of(const FaceLeaf& leaf, std::span<const FacePoint> on_sides, const PointSet& set)
+{
+    LeafBoundary out;
+    for (std::size_t k = 0; k < 3; ++k)
+        out.corners[k] = set.number(leaf.cell.corners[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.sides[k] = {out.corners[k]};
+        append_between(on_sides, leaf.cell.corners[k], leaf.cell.corners[(k + 1) % 3], out.sides[k]);
+        out.sides[k].push_back(out.corners[(k + 1) % 3]);
+    }
+    return out;
+}
+
 bool faces_eye_at(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf, const dvec2& corner)
 {
     if (leaf.arcs.empty())
@@ -168,17 +199,13 @@ bool faces_eye_at(const SilhouetteView& view, std::uint32_t face, const FaceLeaf
 }
 
 /// The leaf's polygon, cut along its arcs. @param curves  gains those that cut it
-std::vector<Region> regions_of(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf, std::span<const FacePoint> on_sides, PointSet& set,
+std::vector<Region> regions_of(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf, const LeafBoundary& boundary, PointSet& set,
                                std::vector<std::vector<std::uint32_t>>& curves)
 {
-    std::uint32_t corners[3];
     Polygon whole;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const dvec2 &from = leaf.cell.corners[k], &to = leaf.cell.corners[(k + 1) % 3];
-        corners[k] = set.number(from);
-        whole.push_back(corners[k]);
-        append_between(on_sides, from, to, whole);
-    }
+    for (const Polygon& side : boundary.sides)
+        whole.insert(whole.end(), side.begin(), side.end() - 1);
+    const std::array<std::uint32_t, 3>& corners = boundary.corners;
     std::vector<Region> regions = {{std::move(whole), faces_eye_at(view, face, leaf, leaf.cell.corners[0])}};
     const auto sign_of = [&](const Polygon& polygon, bool otherwise) {
         for (std::size_t k = 0; k < 3; ++k)
@@ -329,13 +356,13 @@ double turned_over(const SilhouetteView& view, const std::array<dvec3, 3>& corne
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges)
 {
     PointSet set = boundary_points(view, face, edges);
-    const std::size_t on_sides = set.points.size();
     FaceTriangles out;
+    std::vector<LeafBoundary> boundaries;
     std::vector<std::vector<Region>> regions;
-    for (const FaceLeaf& leaf : face.leaves) {
-        const std::vector<FacePoint> sides(set.points.begin(), set.points.begin() + std::ptrdiff_t(on_sides));
-        regions.push_back(regions_of(view, face.face, leaf, sides, set, out.curves));
-    }
+    for (const FaceLeaf& leaf : face.leaves)
+        boundaries.push_back(boundary_of(leaf, set.points, set));
+    for (std::size_t i = 0; i < face.leaves.size(); ++i)
+        regions.push_back(regions_of(view, face.face, face.leaves[i], boundaries[i], set, out.curves));
     out.points = std::move(set.points);
     for (FacePoint& point : out.points)
         if (point.of == FacePoint::Of::face) {
@@ -344,12 +371,17 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
         }
     out.turned.assign(face.leaves.size(), false);
     std::vector<dvec2> places(out.points.size());
+    std::vector<std::uint8_t> lines(out.points.size());
     for (std::size_t i = 0; i < face.leaves.size(); ++i) {
         const LeafPlane plane(view, face.face, face.leaves[i].cell.corners);
-        for (const Region& region : regions[i]) {
+        for (const Region& region : regions[i])
             for (const std::uint32_t p : region.polygon)
-                places[p] = plane.place(out.points[p].at);
-            for (const uvec3& t : triangulate_polygon(region.polygon, places)) {
+                places[p] = plane.place(out.points[p].at), lines[p] = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            for (const std::uint32_t p : boundaries[i].sides[k])
+                lines[p] = std::uint8_t(lines[p] | (1u << k));
+        for (const Region& region : regions[i])
+            for (const uvec3& t : triangulate_polygon(region.polygon, {places, lines})) {
                 std::array<dvec3, 3> corners;
                 for (int k = 0; k < 3; ++k)
                     corners[std::size_t(k)] = position_of(view, face.face, out.points[t[k]], edges, out.own);
@@ -358,7 +390,6 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
                 out.most_turned = std::max(out.most_turned, turned);
                 out.triangles.push_back(t);
             }
-        }
     }
     return out;
 }
