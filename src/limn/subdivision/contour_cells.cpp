@@ -8,8 +8,8 @@
 namespace limn {
 namespace {
 
-/// Levels below the refined face at which pieces end towards an extraordinary vertex.
-constexpr int deepest_piece = 4;
+/// Levels below the refined face to which faces with an extraordinary vertex are cut at first.
+constexpr int first_levels = 2;
 /// Crossings are kept this far away from the ends of their side.
 constexpr double least = 1e-7;
 
@@ -29,17 +29,25 @@ bool holds(const ParameterTriangle& t, const dvec2& at, double slack = 1e-12)
     return weights.x >= -slack && weights.y >= -slack && weights.x + weights.y <= 1 + slack;
 }
 
+dvec2 across(const dvec2& d) { return {-d.y, d.x}; }
+
 dvec2 centroid(const ParameterTriangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
-void add_pieces(const LimitShape& shape, const Eye& eye, std::uint32_t face, const PatchClass& patches, const PatchClass::Node& node, const dvec3& anchor,
-                const ParameterTriangle& corners, int depth, std::vector<ContourPiece>& pieces)
+/// Adds the polynomials of a triangle of a refined face's tree, to so many levels below; what is not cut down to them by then is a rest.
+void add_pieces(ContourCell& cell, const ContourRest& part, int levels)
 {
-    if (node.kind == PatchClass::Kind::patch) {
-        pieces.push_back({corners, contour_polynomial(anchor, shape.patch(face, node), eye)});
-    } else if (node.kind == PatchClass::Kind::inner && depth < deepest_piece) {
-        const std::array<ParameterTriangle, 4> children = quarters(corners);
+    const LimitShape& shape = *cell.of.shape;
+    if (part.node->kind == PatchClass::Kind::patch) {
+        cell.pieces.push_back({part.corners, contour_polynomial(shape.anchor(part.refined_face), shape.patch(part.refined_face, *part.node), *cell.of.eye)});
+    } else if (part.node->kind == PatchClass::Kind::inner) {
+        if (levels == 0) {
+            cell.rests.push_back(part);
+            return;
+        }
+        const PatchClass& patches = shape.table().patch_class(shape.table().class_of(part.refined_face));
+        const std::array<ParameterTriangle, 4> children = quarters(part.corners);
         for (std::size_t k = 0; k < 4; ++k)
-            add_pieces(shape, eye, face, patches, patches.nodes[node.first_child + k], anchor, children[k], depth + 1, pieces);
+            add_pieces(cell, {children[k], part.refined_face, &patches.nodes[part.node->first_child + k]}, levels - 1);
     }
 }
 
@@ -169,7 +177,7 @@ std::array<SplitCell, 4> split(const ContourCell& cell)
     const std::array<ParameterTriangle, 4> children = quarters(cell.corners);
     std::array<SplitCell, 4> out;
     for (std::size_t k = 0; k < 4; ++k)
-        out[k].cell.corners = children[k];
+        out[k].cell.of = cell.of, out[k].cell.corners = children[k];
     for (const ContourPiece& piece : cell.pieces) {
         const double part = std::abs(cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0]) /
                                      cross(cell.corners[1] - cell.corners[0], cell.corners[2] - cell.corners[0]));
@@ -187,6 +195,10 @@ std::array<SplitCell, 4> split(const ContourCell& cell)
             out[k].cell.pieces.push_back({children[k], bezier_part(piece.g, corners)});
         }
     }
+    for (const ContourRest& rest : cell.rests)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (holds(children[k], centroid(rest.corners)))
+                add_pieces(out[k].cell, rest, 1);
     return out;
 }
 
@@ -200,7 +212,7 @@ public:
         if (n == 0 && has_one_sign(cell))
             return;
         if (cell.pieces.empty() || depth == deepest_) {
-            join_pairs(crossings);
+            join_pairs(cell, crossings);
             return;
         }
         if (n == 0 || n == 2) {
@@ -249,12 +261,12 @@ private:
         fill(cell, middle, b, direction, depth + 1, arc);
     }
     /// Where nothing more can be known, neighbours along the boundary are taken for the ends of arcs.
-    void join_pairs(std::vector<BoundaryCrossing> crossings)
+    void join_pairs(const ContourCell& cell, std::vector<BoundaryCrossing> crossings)
     {
         std::sort(crossings.begin(), crossings.end(),
                   [](const BoundaryCrossing& a, const BoundaryCrossing& b) { return a.side != b.side ? a.side < b.side : a.t < b.t; });
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-            arcs_.push_back({crossings[i].at, crossings[i + 1].at});
+            walk(cell, crossings[i].at, crossings[i + 1].at, across(crossings[i + 1].at - crossings[i].at));
     }
     bool extend(ContourArc& arc)
     {
@@ -286,13 +298,12 @@ std::array<ParameterTriangle, 4> quarters(const ParameterTriangle& t)
 
 ContourCell contour_cell(const LimitShape& shape, const Eye& eye, std::uint32_t face)
 {
-    ContourCell cell{{dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {}};
+    ContourCell cell{{&shape, &eye, face}, {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {}, {}};
     const std::array<ParameterTriangle, 4> children = quarters(cell.corners);
     const PatchTable& table = shape.table();
     for (std::uint32_t k = 0; k < 4; ++k) {
         const std::uint32_t refined = 4 * face + k;
-        const PatchClass& patches = table.patch_class(table.class_of(refined));
-        add_pieces(shape, eye, refined, patches, patches.nodes[0], shape.anchor(refined), children[k], 0, cell.pieces);
+        add_pieces(cell, {children[k], refined, table.patch_class(table.class_of(refined)).nodes.data()}, first_levels);
     }
     return cell;
 }
@@ -321,8 +332,10 @@ std::array<SplitCell, 4> split_with_crossings(const ContourCell& cell, const std
 double contour_value(const ContourCell& cell, const dvec2& at)
 {
     const ContourPiece* piece = piece_at(cell, at);
-    if (!piece)
-        return 0;
+    if (!piece) {
+        const SurfaceSample sample = cell.of.shape->sample({cell.of.face, at.x, at.y});
+        return glm::dot(cell.of.eye->from(sample.position), sample.normal);
+    }
     const dvec2 place = weights_at(piece->corners, at);
     return bezier_value(piece->g, place.x, place.y);
 }

@@ -21,16 +21,32 @@ struct ContourPiece {
     ContourPolynomial g;
 };
 
-/// A part of a control face, and what is known of the contour in it.
-struct ContourCell {
-    ParameterTriangle corners;
-    std::vector<ContourPiece> pieces; ///< they fill the cell, but for the nearest surroundings of extraordinary vertices
+/// Whose contour it is.
+struct ContourOf {
+    const LimitShape* shape = nullptr;
+    const Eye* eye = nullptr;
+    std::uint32_t face = 0;
 };
 
-/// A whole control face.
+/// A triangle at an extraordinary vertex, or beside a semi-sharp edge, that is still many polynomials.
+struct ContourRest {
+    ParameterTriangle corners;
+    std::uint32_t refined_face;
+    const PatchClass::Node* node;
+};
+
+/// A part of a control face, and what is known of the contour in it.
+struct ContourCell {
+    ContourOf of;
+    ParameterTriangle corners;
+    std::vector<ContourPiece> pieces; ///< with the rests they fill the cell
+    std::vector<ContourRest> rests;   ///< cut into polynomials when the cell is cut
+};
+
+/// A whole control face. @param shape, eye  must live as long as the cells that it is cut into
 ContourCell contour_cell(const LimitShape& shape, const Eye& eye, std::uint32_t face);
 
-/// g at a place of the cell; only its sign counts. 0 where no piece is.
+/// g at a place of the cell; only its sign counts.
 double contour_value(const ContourCell& cell, const dvec2& at);
 
 /// A point where the contour enters or leaves a cell.

@@ -28,7 +28,7 @@ bool has_edge_points(const LoopTopology& t, std::uint32_t face, const EdgePoints
 bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front)
 {
     const uvec3& t = view.topology().triangles[face];
-    const std::vector<dvec3>& p = view.corners.positions;
+    const std::vector<dvec3>& p = view.pose.corners.positions;
     return turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) <= view.pixels;
 }
 
@@ -108,7 +108,7 @@ SilhouetteMesh Maker::finish() const
 {
     const LoopTopology& t = view_.topology();
     SilhouetteMesh out;
-    out.mesh.positions = view_.corners.positions;
+    out.mesh.positions = view_.pose.corners.positions;
     std::vector<std::uint32_t> first_of_edge(edges_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e) {
         first_of_edge[e] = std::uint32_t(out.mesh.positions.size());
@@ -123,9 +123,9 @@ SilhouetteMesh Maker::finish() const
         if (!faces_[f].cut) {
             out.mesh.triangles.push_back(t.triangles[f]);
             out.faces.push_back(f);
-            add_corner(view_.corners.normals[3 * f], {0, 0});
-            add_corner(view_.corners.normals[3 * f + 1], {1, 0});
-            add_corner(view_.corners.normals[3 * f + 2], {0, 1});
+            add_corner(view_.pose.corners.normals[3 * f], {0, 0});
+            add_corner(view_.pose.corners.normals[3 * f + 1], {1, 0});
+            add_corner(view_.pose.corners.normals[3 * f + 2], {0, 1});
             continue;
         }
         const FaceTriangles& made = faces_[f].made;
@@ -144,7 +144,7 @@ SilhouetteMesh Maker::finish() const
             for (int k = 0; k < 3; ++k) {
                 const FacePoint& point = made.points[triangle[k]];
                 const std::uint32_t h = 3 * f + point.side, e = t.edge[h];
-                add_corner(point.of == FacePoint::Of::corner ? view_.corners.normals[h]
+                add_corner(point.of == FacePoint::Of::corner ? view_.pose.corners.normals[h]
                            : point.of == FacePoint::Of::edge ? edges_[e][point.index].normals[t.half_edge[e] == h ? 0 : 1]
                                                              : made.own[point.index].normal,
                            point.at);
@@ -189,11 +189,11 @@ dvec3 middle_of(std::span<const dvec3> positions)
 
 } // namespace
 
-SilhouetteMesh exact_silhouette(const LimitShape& shape, const LimitSurface& corners, const Camera& camera, const ExactSilhouetteOptions& options,
-                                ExactSilhouetteReport* report)
+SilhouetteMesh exact_silhouette(const SilhouettePose& pose, const Camera& camera, const ExactSilhouetteOptions& options, ExactSilhouetteReport* report)
 {
     constexpr double share = 0.5; // of the error that an arc may have; most arcs then keep below a tenth of it on average
-    const SilhouetteView view{shape, corners, PicturePlane(camera), searched_eye(camera, middle_of(corners.positions)), share * options.outline_error, options.curve_points};
+    const SilhouetteView view{pose, PicturePlane(camera), searched_eye(camera, middle_of(pose.corners.positions)), share * options.outline_error,
+                              options.curve_points};
     Maker maker(view, options.deepest);
     maker.make();
     if (report)

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "limn/camera/camera.h"
-#include "limn/subdivision/limit_shape.h"
-#include "limn/subdivision/loop_limit.h"
 #include "limn/subdivision/silhouette_mesh.h"
+#include "limn/subdivision/silhouette_pose.h"
 
 namespace limn {
 
@@ -27,9 +26,7 @@ struct ExactSilhouetteReport {
 /// surface does, and by more than outline_error, faces are cut into smaller ones; so the outline of the mesh is nothing but the contour's
 /// polylines and the borders. There are no T-vertices: what is cut on one side of an edge is cut on the other. (Silhouette-loop specification,
 /// 7; the condition on sides after Benard, Hertzmann and Kass 2014.) Parallel; same bytes for any number of threads.
-/// @param shape    under the rule of OpenSubdiv
-/// @param corners  limit_surface of the control mesh in the same pose
-SilhouetteMesh exact_silhouette(const LimitShape& shape, const LimitSurface& corners, const Camera& camera, const ExactSilhouetteOptions& options = {},
+SilhouetteMesh exact_silhouette(const SilhouettePose& pose, const Camera& camera, const ExactSilhouetteOptions& options = {},
                                 ExactSilhouetteReport* report = nullptr);
 
 } // namespace limn

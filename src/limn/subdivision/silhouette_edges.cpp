@@ -10,15 +10,6 @@ namespace {
 
 constexpr std::size_t grain = 256;
 
-/// A place on a half-edge, t from its start to its end.
-PatchPoint on_half_edge(std::uint32_t h, double t)
-{
-    double weights[3] = {0, 0, 0};
-    weights[h % 3] = 1 - t;
-    weights[(h + 1) % 3] = t;
-    return {h / 3, weights[1], weights[2]};
-}
-
 /// Whether the limit surface has a fold there; semi-sharp edges become smooth.
 bool is_sharp(const LoopTopology& t, std::uint32_t edge) { return t.sharpness[edge] >= infinitely_sharp; }
 
@@ -26,10 +17,10 @@ EdgePoint make_point(const SilhouetteView& view, std::uint32_t edge, double t)
 {
     const LoopTopology& topology = view.topology();
     const std::uint32_t h = topology.half_edge[edge], over = topology.twin[h];
-    const SurfaceSample sample = view.shape.sample(on_half_edge(h, t));
+    const SurfaceSample sample = view.pose.shape.sample(on_half_edge(h, t));
     EdgePoint point{t, {false, false}, sample.position, {sample.normal, sample.normal}};
     if (over != none && is_sharp(topology, edge))
-        point.normals[1] = view.shape.normal(on_half_edge(over, 1 - t));
+        point.normals[1] = view.pose.shape.normal(on_half_edge(over, 1 - t));
     return point;
 }
 
@@ -37,7 +28,8 @@ EdgePoint make_point(const SilhouetteView& view, std::uint32_t edge, double t)
 std::vector<double> crossings_of(const SilhouetteView& view, std::uint32_t h)
 {
     std::vector<double> crossings;
-    append_crossings(view.shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);
+    if (may_be_crossed(std::array<Facing, 3>{view.at_start(h), view.at_middle(h), view.at_start(next_half_edge(h))}))
+        append_crossings(view.pose.shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);
     return crossings;
 }
 

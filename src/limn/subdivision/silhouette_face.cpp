@@ -23,8 +23,6 @@ dvec2 on_side(std::uint32_t k, double t)
 /// The parameter along side k of a point of its edge.
 double along_side(const LoopTopology& topology, std::uint32_t h, double t) { return topology.half_edge[topology.edge[h]] == h ? t : 1 - t; }
 
-std::size_t side_of_edge(const LoopTopology& topology, std::uint32_t h) { return topology.half_edge[topology.edge[h]] == h ? 0 : 1; }
-
 /// The samples that arcs are measured by, each made once.
 class ArcMeasure {
 public:
@@ -42,7 +40,7 @@ private:
         for (const auto& [place, known] : samples_)
             if (place == at)
                 return known;
-        samples_.emplace_back(at, view_.shape.sample({face_, at.x, at.y}));
+        samples_.emplace_back(at, view_.pose.shape.sample({face_, at.x, at.y}));
         return samples_.back().second;
     }
     const SilhouetteView& view_;
@@ -69,7 +67,7 @@ void trace(const SilhouetteView& view, std::uint32_t face, FaceLeaf& leaf)
     leaf.arcs = trace_contour(leaf.cell, leaf.crossings, needs);
     if (leaf.arcs.empty()) {
         leaf.front = leaf.cell.pieces.empty() ? leaf.front : contour_value(leaf.cell, (leaf.cell.corners[0] + leaf.cell.corners[1] + leaf.cell.corners[2]) / 3.0) >= 0;
-        leaf.cell.pieces.clear();
+        leaf.cell.pieces.clear(), leaf.cell.rests.clear();
     }
 }
 
@@ -238,7 +236,7 @@ public:
     {
         dvec3 p[3];
         for (std::size_t k = 0; k < 3; ++k)
-            p[k] = view.shape.position({face, corners[k].x, corners[k].y});
+            p[k] = view.pose.shape.position({face, corners[k].x, corners[k].y});
         const dvec3 a = p[1] - p[0], b = p[2] - p[0];
         const double length = glm::length(a), height = length > 0 ? glm::length(glm::cross(a, b)) / length : 0;
         if (height > 0)
@@ -260,7 +258,7 @@ dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoin
 {
     const LoopTopology& t = view.topology();
     switch (point.of) {
-    case FacePoint::Of::corner: return view.corners.positions[t.triangles[face][int(point.side)]];
+    case FacePoint::Of::corner: return view.pose.corners.positions[t.triangles[face][int(point.side)]];
     case FacePoint::Of::edge: return edges[t.edge[3 * face + point.side]][point.index].position;
     default: return own[point.index].position;
     }
@@ -271,27 +269,16 @@ dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoin
 bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges)
 {
     const LoopTopology& t = view.topology();
-    std::array<double, 6> heights; // sines of the angles between normals and contour
-    std::array<dvec3, 6> normals;
+    std::array<Facing, 6> places;
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face + k;
         for (const EdgePoint& p : edges[t.edge[h]])
-            if (p.crossing[side_of_edge(t, h)])
+            if (p.crossing[view.side_of(h)])
                 return true;
-        const dvec2 middle = on_side(k, 0.5);
-        const SurfaceSample sample = view.shape.sample({face, middle.x, middle.y});
-        const dvec3& corner = view.corners.positions[t.start(h)];
-        normals[k] = view.corners.normals[h];
-        normals[k + 3] = sample.normal;
-        heights[k] = glm::dot(glm::normalize(view.eye.from(corner)), normals[k]);
-        heights[k + 3] = glm::dot(glm::normalize(view.eye.from(sample.position)), sample.normal);
+        places[k] = view.at_start(h);
+        places[k + 3] = view.at_middle(h);
     }
-    double apart = 0;
-    for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            apart = std::max(apart, std::max(glm::distance(normals[i], normals[k]), std::abs(heights[i] - heights[k])));
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    return *low < apart && *high > -apart;
+    return may_be_crossed(places);
 }
 
 CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges)
@@ -303,11 +290,11 @@ CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoint
     leaf.front = view.faces_eye(3 * face);
     if (!may_hold_contour(view, face, edges))
         return out;
-    leaf.cell = contour_cell(view.shape, view.eye, face);
+    leaf.cell = contour_cell(view.pose.shape, view.eye, face);
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face + k;
         for (const EdgePoint& p : edges[t.edge[h]])
-            if (p.crossing[side_of_edge(t, h)]) {
+            if (p.crossing[view.side_of(h)]) {
                 const double along = along_side(t, h, p.t);
                 leaf.crossings.push_back({int(k), along, on_side(k, along)});
             }
@@ -367,7 +354,7 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
     for (FacePoint& point : out.points)
         if (point.of == FacePoint::Of::face) {
             point.index = std::uint32_t(out.own.size());
-            out.own.push_back(view.shape.sample({face.face, point.at.x, point.at.y}));
+            out.own.push_back(view.pose.shape.sample({face.face, point.at.x, point.at.y}));
         }
     out.turned.assign(face.leaves.size(), false);
     std::vector<dvec2> places(out.points.size());

@@ -23,8 +23,7 @@ struct CutFace {
     std::vector<FaceLeaf> leaves;
 };
 
-/// Whether a contour can be in a face: one crosses its edges, or the normals at its corners and at the middles of its sides come as near to it as
-/// they are apart from each other (half of what they are apart would do for normals that turn evenly).
+/// Whether a contour may be in a face: one crosses its edges, or may run between its corners and the middles of its sides.
 bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges);
 
 /// A control face with the contours in it. It is cut in four until closed curves are cut open.

@@ -26,6 +26,20 @@ Eye searched_eye(const Camera& camera, const dvec3& centre)
     return {dvec4(camera.eye + share * distance * aside, 1)};
 }
 
+bool may_be_crossed(std::span<const Facing> places)
+{
+    double apart = 0, low = places[0].height, high = low; // apart: squared
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        low = std::min(low, places[i].height), high = std::max(high, places[i].height);
+        for (std::size_t k = 0; k < i; ++k) {
+            const dvec3 d = places[i].normal - places[k].normal;
+            apart = std::max(apart, glm::dot(d, d));
+        }
+    }
+    const double turned = std::max(std::sqrt(apart), high - low);
+    return low < turned && high > -turned;
+}
+
 double chord_error(const PicturePlane& plane, const SurfaceSample& a, const SurfaceSample& middle, const SurfaceSample& b)
 {
     constexpr double s_shape = 0.1; // of chord and slope at the ends: how far a cubic goes that is 0 in the middle

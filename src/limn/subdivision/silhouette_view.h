@@ -3,9 +3,8 @@
 #include <span>
 
 #include "limn/camera/camera.h"
-#include "limn/subdivision/limit_shape.h"
-#include "limn/subdivision/loop_limit.h"
 #include "limn/subdivision/silhouette_mesh.h"
+#include "limn/subdivision/silhouette_pose.h"
 
 namespace limn {
 
@@ -47,21 +46,38 @@ private:
 /// symmetrical shapes do not run along edges and through vertices.
 Eye searched_eye(const Camera& camera, const dvec3& centre);
 
+/// How a place on the surface is turned to the eye.
+struct Facing {
+    dvec3 normal;  ///< unit length
+    double height; ///< sine of the angle between the surface and the line of sight; negative where it faces away
+};
+
+/// Whether a contour may run between some places: one of them is turned to the eye otherwise than the others, or comes as near to that as they
+/// are turned against each other. (Half as near is possible at most where normals turn evenly.)
+bool may_be_crossed(std::span<const Facing> places);
+
 /// All that the parts of an exact silhouette read.
 struct SilhouetteView {
-    const LimitShape& shape;
-    const LimitSurface& corners; ///< of the control mesh in the same pose
+    const SilhouettePose& pose;
     PicturePlane plane;
     Eye eye;
     double pixels;    ///< how far from the true outline a polyline may be
     int curve_points; ///< parts of each arc; 0: as many as `pixels` asks for
 
-    const LoopTopology& topology() const { return shape.table().control(); }
-    /// Whether the surface faces the eye at the start of a half-edge, on the side of its face.
-    bool faces_eye(std::uint32_t half_edge) const
+    const LoopTopology& topology() const { return pose.shape.table().control(); }
+    Facing facing(const dvec3& position, const dvec3& normal) const { return {normal, glm::dot(glm::normalize(eye.from(position)), normal)}; }
+    /// At the start of a half-edge, on the side of its face.
+    Facing at_start(std::uint32_t h) const { return facing(pose.corners.positions[topology().start(h)], pose.corners.normals[h]); }
+    /// At the middle of its edge, on the side of its face.
+    Facing at_middle(std::uint32_t h) const
     {
-        return glm::dot(eye.from(corners.positions[topology().start(half_edge)]), corners.normals[half_edge]) >= 0;
+        const std::uint32_t e = topology().edge[h];
+        return facing(pose.middles[e], pose.middle_normals[e][side_of(h)]);
     }
+    /// Whether the surface faces the eye at the start of a half-edge, on the side of its face.
+    bool faces_eye(std::uint32_t h) const { return glm::dot(eye.from(pose.corners.positions[topology().start(h)]), pose.corners.normals[h]) >= 0; }
+    /// Which side of its edge a half-edge is on: 0 where it is LoopTopology::half_edge, else 1.
+    std::size_t side_of(std::uint32_t h) const { return topology().half_edge[topology().edge[h]] == h ? 0 : 1; }
 };
 
 /// How far a curve in the picture is from the chord between two of its points, in pixels, judged by a point between and the directions across
