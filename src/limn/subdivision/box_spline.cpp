@@ -1,5 +1,8 @@
 #include "limn/subdivision/box_spline.h"
 
+#include <span>
+#include <vector>
+
 namespace limn {
 namespace {
 
@@ -22,13 +25,33 @@ constexpr Term of_y2[] = {{2, 0, 3}, {1, 0, 4}, {6, 1, 2}, {6, 1, 3}, {6, 2, 1},
 constexpr Term of_y3[] = {{1, 0, 4}, {2, 1, 3}};
 constexpr Term of_y4[] = {{2, 0, 3}, {1, 0, 4}};
 
-std::array<std::array<double, regular_support>, bezier_size(4)> make_weights()
+struct Weight {
+    std::uint32_t coefficient, point;
+    double weight;
+};
+
+std::vector<Weight> make_list()
 {
     const std::span<const Term> functions[regular_support] = {of_a, of_b, of_c, of_r2, of_r3, of_r4, of_r5, of_y0, of_y1, of_y2, of_y3, of_y4};
-    std::array<std::array<double, regular_support>, bezier_size(4)> weights{};
-    for (std::size_t point = 0; point < regular_support; ++point)
+    std::vector<Weight> list;
+    for (std::uint32_t point = 0; point < regular_support; ++point)
         for (const Term& term : functions[point])
-            weights[bezier_index(4, term.j, term.k)][point] = term.factor / (12 * multinomial(4, term.j, term.k));
+            list.push_back({std::uint32_t(bezier_index(4, term.j, term.k)), point, term.factor / (12 * multinomial(4, term.j, term.k))});
+    return list;
+}
+
+/// Less than half of the weights are not 0.
+const std::vector<Weight>& weight_list()
+{
+    static const std::vector<Weight> list = make_list();
+    return list;
+}
+
+std::array<std::array<double, regular_support>, bezier_size(4)> make_weights()
+{
+    std::array<std::array<double, regular_support>, bezier_size(4)> weights{};
+    for (const Weight& w : weight_list())
+        weights[w.coefficient][w.point] = w.weight;
     return weights;
 }
 
@@ -40,13 +63,11 @@ const std::array<std::array<double, regular_support>, bezier_size(4)>& box_splin
     return weights;
 }
 
-QuarticPatch regular_patch(std::span<const dvec3, regular_support> points)
+QuarticPatch regular_patch(const dvec3* points)
 {
-    const auto& weights = box_spline_weights();
     QuarticPatch patch;
-    for (std::size_t i = 0; i < patch.c.size(); ++i)
-        for (std::size_t p = 0; p < regular_support; ++p)
-            patch.c[i] += weights[i][p] * points[p];
+    for (const Weight& w : weight_list())
+        patch.c[w.coefficient] += w.weight * points[w.point];
     return patch;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "limn/subdivision/bezier_triangle.h"
 
@@ -17,6 +16,6 @@ inline constexpr std::size_t regular_support = 12;
 /// Weights of those points for each coefficient of the patch: the quartic box spline (Stam 1999; specification, appendix).
 const std::array<std::array<double, regular_support>, bezier_size(4)>& box_spline_weights();
 
-QuarticPatch regular_patch(std::span<const dvec3, regular_support> points);
+QuarticPatch regular_patch(const dvec3* points);
 
 } // namespace limn

@@ -33,22 +33,37 @@ dvec2 across(const dvec2& d) { return {-d.y, d.x}; }
 
 dvec2 centroid(const ParameterTriangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
-/// Adds the polynomials of a triangle of a refined face's tree, to so many levels below; what is not cut down to them by then is a rest.
-void add_pieces(ContourCell& cell, const ContourRest& part, int levels)
+/// Calls f(corners, node) for the polynomials of a triangle of a face's tree, to so many levels below; and rest(corners, node) for what is not
+/// cut down to them by then. @return whether f always said to go on
+template <class F, class Rest>
+bool each_patch(const PatchClass& patches, const PatchClass::Node& node, const ParameterTriangle& corners, int levels, F&& f, Rest&& rest)
 {
-    const LimitShape& shape = *cell.of.shape;
-    if (part.node->kind == PatchClass::Kind::patch) {
-        cell.pieces.push_back({part.corners, contour_polynomial(shape.anchor(part.refined_face), shape.patch(part.refined_face, *part.node), *cell.of.eye)});
-    } else if (part.node->kind == PatchClass::Kind::inner) {
-        if (levels == 0) {
-            cell.rests.push_back(part);
-            return;
-        }
-        const PatchClass& patches = shape.table().patch_class(shape.table().class_of(part.refined_face));
-        const std::array<ParameterTriangle, 4> children = quarters(part.corners);
-        for (std::size_t k = 0; k < 4; ++k)
-            add_pieces(cell, {children[k], part.refined_face, &patches.nodes[part.node->first_child + k]}, levels - 1);
+    if (node.kind == PatchClass::Kind::patch)
+        return f(corners, node);
+    if (node.kind == PatchClass::Kind::corner)
+        return true;
+    if (levels == 0) {
+        rest(corners, node);
+        return true;
     }
+    const std::array<ParameterTriangle, 4> children = quarters(corners);
+    for (std::size_t k = 0; k < 4; ++k)
+        if (!each_patch(patches, patches.nodes[node.first_child + k], children[k], levels - 1, f, rest))
+            return false;
+    return true;
+}
+
+void add_pieces(ContourCell& cell, std::uint32_t refined_face, const PatchClass::Node* node, const ParameterTriangle& corners, int levels)
+{
+    const FacePatches face = cell.of.shape->patches(refined_face);
+    each_patch(
+        face.patches(), node ? *node : face.patches().nodes[0], corners, levels,
+        [&](const ParameterTriangle& at, const PatchClass::Node& patch) {
+            const QuarticPatch net = face.patch(patch);
+            cell.pieces.push_back({at, contour_polynomial(face.anchor(), net, *cell.of.eye), at, face.anchor(), net});
+            return true;
+        },
+        [&](const ParameterTriangle& at, const PatchClass::Node& rest) { cell.rests.push_back({at, refined_face, &rest}); });
 }
 
 const ContourPiece* piece_at(const ContourCell& cell, const dvec2& at)
@@ -192,13 +207,13 @@ std::array<SplitCell, 4> split(const ContourCell& cell)
                 const dvec2 weights = weights_at(piece.corners, children[k][i]);
                 corners[i] = {1 - weights.x - weights.y, weights.x, weights.y};
             }
-            out[k].cell.pieces.push_back({children[k], bezier_part(piece.g, corners)});
+            out[k].cell.pieces.push_back({children[k], bezier_part(piece.g, corners), piece.of_patch, piece.anchor, piece.patch});
         }
     }
     for (const ContourRest& rest : cell.rests)
         for (std::size_t k = 0; k < 4; ++k)
             if (holds(children[k], centroid(rest.corners)))
-                add_pieces(out[k].cell, rest, 1);
+                add_pieces(out[k].cell, rest.refined_face, rest.node, rest.corners, 1);
     return out;
 }
 
@@ -300,11 +315,8 @@ ContourCell contour_cell(const LimitShape& shape, const Eye& eye, std::uint32_t 
 {
     ContourCell cell{{&shape, &eye, face}, {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {}, {}};
     const std::array<ParameterTriangle, 4> children = quarters(cell.corners);
-    const PatchTable& table = shape.table();
-    for (std::uint32_t k = 0; k < 4; ++k) {
-        const std::uint32_t refined = 4 * face + k;
-        add_pieces(cell, {children[k], refined, table.patch_class(table.class_of(refined)).nodes.data()}, first_levels);
-    }
+    for (std::uint32_t k = 0; k < 4; ++k)
+        add_pieces(cell, 4 * face + k, nullptr, children[k], first_levels);
     return cell;
 }
 
@@ -333,11 +345,37 @@ double contour_value(const ContourCell& cell, const dvec2& at)
 {
     const ContourPiece* piece = piece_at(cell, at);
     if (!piece) {
-        const SurfaceSample sample = cell.of.shape->sample({cell.of.face, at.x, at.y});
-        return glm::dot(cell.of.eye->from(sample.position), sample.normal);
+        const SurfaceSample there = sample(cell, at);
+        return glm::dot(cell.of.eye->from(there.position), there.normal);
     }
     const dvec2 place = weights_at(piece->corners, at);
     return bezier_value(piece->g, place.x, place.y);
+}
+
+SurfaceSample sample(const ContourCell& cell, const dvec2& at)
+{
+    const ContourPiece* piece = piece_at(cell, at);
+    if (!piece)
+        return cell.of.shape->sample({cell.of.face, at.x, at.y});
+    const dvec2 place = weights_at(piece->of_patch, at);
+    return sample_patch(piece->anchor, piece->patch, place.x, place.y);
+}
+
+bool is_clear_of_contours(const LimitShape& shape, const Eye& eye, std::uint32_t control_face)
+{
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        const FacePatches face = shape.patches(4 * control_face + k);
+        const auto is_clear = [&](const ParameterTriangle&, const PatchClass::Node& node) {
+            const QuarticPatch patch = face.patch(node);
+            if (shows_one_side(face.anchor(), patch, eye))
+                return true;
+            const ContourPolynomial g = contour_polynomial(face.anchor(), patch, eye);
+            return std::all_of(g.c.begin(), g.c.end(), [&](double c) { return (c < 0) == (g.c[0] < 0); });
+        };
+        if (!each_patch(face.patches(), face.patches().nodes[0], {}, first_levels, is_clear, [](const ParameterTriangle&, const PatchClass::Node&) {}))
+            return false;
+    }
+    return true;
 }
 
 std::vector<ContourArc> trace_contour(const ContourCell& cell, const std::vector<BoundaryCrossing>& crossings, const NeedsPoint& needs, int deepest)

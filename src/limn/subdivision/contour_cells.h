@@ -15,10 +15,13 @@ using ParameterTriangle = std::array<dvec2, 3>;
 /// Its four children, numbered and turned as in Loop subdivision (refine).
 std::array<ParameterTriangle, 4> quarters(const ParameterTriangle& triangle);
 
-/// The contour's polynomial over a part of a control face.
+/// The contour's polynomial over a part of a control face, and the surface's.
 struct ContourPiece {
     ParameterTriangle corners;
     ContourPolynomial g;
+    ParameterTriangle of_patch; ///< where the patch is, of which the piece may be a part
+    dvec3 anchor;               ///< positions are this plus the patch
+    QuarticPatch patch;
 };
 
 /// Whose contour it is.
@@ -43,11 +46,17 @@ struct ContourCell {
     std::vector<ContourRest> rests;   ///< cut into polynomials when the cell is cut
 };
 
+/// Whether the polynomials over a control face have one sign each, which leaves no room for a contour that does not cross its edges. Nothing is
+/// known of the nearest surroundings of extraordinary vertices.
+bool is_clear_of_contours(const LimitShape& shape, const Eye& eye, std::uint32_t face);
+
 /// A whole control face. @param shape, eye  must live as long as the cells that it is cut into
 ContourCell contour_cell(const LimitShape& shape, const Eye& eye, std::uint32_t face);
 
 /// g at a place of the cell; only its sign counts.
 double contour_value(const ContourCell& cell, const dvec2& at);
+/// The surface at a place of the cell.
+SurfaceSample sample(const ContourCell& cell, const dvec2& at);
 
 /// A point where the contour enters or leaves a cell.
 struct BoundaryCrossing {

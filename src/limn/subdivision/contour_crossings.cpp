@@ -10,60 +10,75 @@ namespace {
 
 /// Crossings are kept this far away from the ends of their edge.
 constexpr double least = 1e-7;
-/// Levels below the refined face at which the pieces of an edge end towards an extraordinary vertex.
-constexpr int deepest = 8;
+/// Levels below the refined face at which the pieces of an edge end towards an extraordinary vertex: always, and where a crossing is nearer.
+constexpr int first_levels = 4, most_levels = 8;
 
-class EdgeWalk {
+/// A part of an edge: the side of a polynomial, or of a triangle that is still many.
+struct EdgePart {
+    const FacePatches* face;
+    const PatchClass::Node* node;
+    int side;
+    double begin, end;
+    std::array<double, 11> along; ///< of a polynomial
+    bool is_patch() const { return node->kind == PatchClass::Kind::patch; }
+};
+
+class EdgeSearch {
 public:
-    EdgeWalk(const LimitShape& shape, const Eye& eye, bool faces_eye, std::vector<double>& crossings) : shape_(shape), eye_(eye), faces_eye_(faces_eye), crossings_(crossings) {}
+    EdgeSearch(const Eye& eye, std::vector<double>& crossings) : eye_(eye), crossings_(crossings) {}
 
-    void refined_side(std::uint32_t face, int side, double begin, double end)
+    /// Appends the parts of a triangle's side, in order.
+    void collect(const FacePatches& face, const PatchClass::Node& node, int side, double begin, double end, int levels, std::vector<EdgePart>& parts) const
     {
-        face_ = face;
-        anchor_ = shape_.anchor(face);
-        const PatchTable& table = shape_.table();
-        patches_ = &table.patch_class(table.class_of(face));
-        walk(patches_->nodes[0], side, begin, end, 0);
+        if (node.kind == PatchClass::Kind::patch) {
+            parts.push_back({&face, &node, side, begin, end, contour_along_side(face.anchor(), face.patch(node), side, eye_)});
+        } else if (node.kind == PatchClass::Kind::corner || levels == 0) {
+            parts.push_back({&face, &node, side, begin, end, {}});
+        } else {
+            const double middle = 0.5 * (begin + end);
+            const PatchClass::Node* children = &face.patches().nodes[node.first_child];
+            collect(face, children[side], 0, begin, middle, levels - 1, parts);
+            collect(face, children[(side + 1) % 3], 2, middle, end, levels - 1, parts);
+        }
     }
-    void finish(bool faces_eye)
+    /// @param before, after  whether the surface faces the eye at the ends
+    void search(const std::vector<EdgePart>& parts, bool before, bool after, int levels)
     {
-        if (faces_eye != faces_eye_)
-            crossings_.push_back(0.5 * (last_ + 1));
+        bool now = before;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const EdgePart& part = parts[i];
+            if (part.is_patch()) {
+                if ((part.along[0] >= 0) != now) // by rounding
+                    crossings_.push_back(part.begin);
+                roots_.clear();
+                append_sign_changes(part.along, roots_);
+                for (const double root : roots_)
+                    crossings_.push_back(part.begin + root * (part.end - part.begin));
+                now = part.along[10] >= 0;
+                continue;
+            }
+            const bool last = i + 1 == parts.size(), known = last || parts[i + 1].is_patch();
+            const bool next = last ? after : parts[i + 1].along[0] >= 0;
+            if (known && now == next)
+                continue;
+            if (part.node->kind == PatchClass::Kind::corner || levels == most_levels) {
+                if (known)
+                    crossings_.push_back(0.5 * (part.begin + part.end));
+            } else {
+                std::vector<EdgePart> finer;
+                collect(*part.face, *part.node, part.side, part.begin, part.end, 1, finer);
+                search(finer, now, known ? next : now, levels + 1);
+            }
+            now = known ? next : now;
+        }
+        if (now != after)
+            crossings_.push_back(parts.back().end);
     }
 
 private:
-    void walk(const PatchClass::Node& node, int side, double begin, double end, int depth)
-    {
-        if (node.kind == PatchClass::Kind::patch) {
-            piece(node, side, begin, end);
-        } else if (node.kind == PatchClass::Kind::inner && depth < deepest) {
-            const double middle = 0.5 * (begin + end);
-            walk(patches_->nodes[node.first_child + std::size_t(side)], 0, begin, middle, depth + 1);
-            walk(patches_->nodes[node.first_child + std::size_t((side + 1) % 3)], 2, middle, end, depth + 1);
-        }
-    }
-    void piece(const PatchClass::Node& node, int side, double begin, double end)
-    {
-        const std::array<double, 11> along = contour_along_side(anchor_, shape_.patch(face_, node), side, eye_);
-        if ((along[0] >= 0) != faces_eye_) // in what was left out before, or by rounding
-            crossings_.push_back(0.5 * (last_ + begin));
-        roots_.clear();
-        append_sign_changes(along, roots_);
-        for (const double root : roots_)
-            crossings_.push_back(begin + root * (end - begin));
-        faces_eye_ = along[10] >= 0;
-        last_ = end;
-    }
-
-    const LimitShape& shape_;
     const Eye& eye_;
-    bool faces_eye_;     ///< where the walk has got to
-    double last_ = 0;
     std::vector<double>& crossings_;
     std::vector<double> roots_;
-    std::uint32_t face_ = 0;
-    dvec3 anchor_ = dvec3(0);
-    const PatchClass* patches_ = nullptr;
 };
 
 } // namespace
@@ -72,12 +87,15 @@ void append_crossings(const LimitShape& shape, const Eye& eye, std::uint32_t h, 
 {
     const std::size_t before = crossings.size();
     const std::uint32_t face = h / 3, k = h % 3;
-    EdgeWalk walk(shape, eye, faces_eye[0], crossings);
-    walk.refined_side(4 * face + k, 0, 0, 0.5);
-    walk.refined_side(4 * face + (k + 1) % 3, 2, 0.5, 1);
-    walk.finish(faces_eye[1]);
+    const FacePatches first = shape.patches(4 * face + k), second = shape.patches(4 * face + (k + 1) % 3);
+    EdgeSearch search(eye, crossings);
+    std::vector<EdgePart> parts;
+    search.collect(first, first.patches().nodes[0], 0, 0, 0.5, first_levels, parts);
+    search.collect(second, second.patches().nodes[0], 2, 0.5, 1, first_levels, parts);
+    search.search(parts, faces_eye[0], faces_eye[1], first_levels);
     for (std::size_t i = before; i < crossings.size(); ++i)
         crossings[i] = std::clamp(crossings[i], least, 1 - least);
+    std::sort(crossings.begin() + std::ptrdiff_t(before), crossings.end());
 }
 
 } // namespace limn

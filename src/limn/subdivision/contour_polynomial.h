@@ -14,6 +14,9 @@ using ContourPolynomial = BezierTriangle<10, double>;
 /// @param anchor  positions are this plus the patch
 ContourPolynomial contour_polynomial(const dvec3& anchor, const QuarticPatch& patch, const Eye& eye);
 
+/// Whether the polynomial can have one sign only, as its normals tell; false where that takes the polynomial itself to know.
+bool shows_one_side(const dvec3& anchor, const QuarticPatch& patch, const Eye& eye);
+
 /// The same along a side only, in Bernstein form from corner `side` to the next.
 std::array<double, 11> contour_along_side(const dvec3& anchor, const QuarticPatch& patch, int side, const Eye& eye);
 

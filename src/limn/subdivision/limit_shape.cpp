@@ -60,14 +60,6 @@ Found find(const PatchTable& table, const PatchPoint& at, int deepest)
     return {face, node, place};
 }
 
-dvec3 weighted(std::span<const double> row, std::span<const std::uint32_t> support, std::span<const dvec3> positions)
-{
-    dvec3 sum(0);
-    for (std::size_t i = 0; i < row.size(); ++i)
-        sum += row[i] * positions[support[i]];
-    return sum;
-}
-
 /// The control face's place that a held one stands for: `reach` from the corner, in the refined face at corner k.
 PatchPoint pulled_away(const PatchPoint& at, int k, double reach)
 {
@@ -94,21 +86,37 @@ LimitShape::LimitShape(const PatchTable& table, std::span<const dvec3> positions
 {
 }
 
-QuarticPatch LimitShape::patch(std::uint32_t face, const PatchClass::Node& node) const
+FacePatches::FacePatches(const PatchTable& table, std::span<const dvec3> positions, std::uint32_t face)
+    : patches_(&table.patch_class(table.class_of(face))), regular_(table.class_of(face) == PatchTable::regular)
 {
-    const std::uint32_t number = table_->class_of(face);
-    const PatchClass& patches = table_->patch_class(number);
-    const std::span<const std::uint32_t> support = table_->support(face);
+    const std::span<const std::uint32_t> support = table.support(face);
+    if (support.size() > usual)
+        many_.resize(support.size());
+    dvec3* to = many_.empty() ? few_.data() : many_.data();
+    for (std::size_t i = 0; i < support.size(); ++i)
+        to[i] = positions[support[i]];
+    if (patches_->anchored)
+        anchor_ = weighted(0);
+}
+
+QuarticPatch FacePatches::patch(const PatchClass::Node& node) const
+{
+    if (regular_)
+        return regular_patch(points());
     QuarticPatch out;
     for (std::size_t i = 0; i < out.c.size(); ++i)
-        out.c[i] = weighted(patches.row(node.row + i), support, positions_);
+        out.c[i] = weighted(node.row + i);
     return out;
 }
 
-dvec3 LimitShape::anchor(std::uint32_t face) const
+dvec3 FacePatches::weighted(std::size_t row) const
 {
-    const PatchClass& patches = table_->patch_class(table_->class_of(face));
-    return patches.anchored ? weighted(patches.row(0), table_->support(face), positions_) : dvec3(0);
+    const std::span<const double> weights = patches_->row(row);
+    const dvec3* p = points();
+    dvec3 sum(0);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        sum += weights[i] * p[i];
+    return sum;
 }
 
 PatchPiece LimitShape::piece(const PatchPoint& at, int deepest) const
@@ -118,21 +126,23 @@ PatchPiece LimitShape::piece(const PatchPoint& at, int deepest) const
         const double reach = std::exp2(-double(std::min(deepest, PatchClass::deepest)));
         found = find(*table_, pulled_away(at, int(found.face % 4), reach), deepest + 1);
     }
-    return {anchor(found.face), patch(found.face, *found.node), found.place.v, found.place.w, found.place.of_v, found.place.of_w};
+    const FacePatches of_face = patches(found.face);
+    return {of_face.anchor(), of_face.patch(*found.node), found.place.v, found.place.w, found.place.of_v, found.place.of_w};
+}
+
+SurfaceSample sample_patch(const dvec3& anchor, const QuarticPatch& patch, double v, double w)
+{
+    const BezierTriangle<1, dvec3> plane = casteljau_step(casteljau_step(casteljau_step(patch, v, w), v, w), v, w);
+    return {anchor + bezier_value(plane, v, w), unit(glm::cross(plane.c[1] - plane.c[0], plane.c[2] - plane.c[0]))};
 }
 
 SurfaceSample LimitShape::sample(const PatchPoint& at) const
 {
     const Found found = find(*table_, at, PatchClass::deepest + 2);
-    const dvec3 from = anchor(found.face);
-    if (found.node->kind == PatchClass::Kind::patch) {
-        const double v = found.place.v, w = found.place.w;
-        const BezierTriangle<1, dvec3> plane = casteljau_step(casteljau_step(casteljau_step(patch(found.face, *found.node), v, w), v, w), v, w);
-        return {from + bezier_value(plane, v, w), unit(glm::cross(plane.c[1] - plane.c[0], plane.c[2] - plane.c[0]))};
-    }
-    const PatchClass& patches = table_->patch_class(table_->class_of(found.face));
-    const std::span<const std::uint32_t> support = table_->support(found.face);
-    return {from, unit(glm::cross(weighted(patches.row(1), support, positions_), weighted(patches.row(2), support, positions_)))};
+    const FacePatches of_face = patches(found.face);
+    if (found.node->kind == PatchClass::Kind::patch)
+        return sample_patch(of_face.anchor(), of_face.patch(*found.node), found.place.v, found.place.w);
+    return {of_face.anchor(), unit(glm::cross(of_face.weighted(1), of_face.weighted(2)))};
 }
 
 LimitJet LimitShape::jet(const PatchPoint& at) const

@@ -18,6 +18,9 @@ struct SurfaceSample {
     dvec3 normal; ///< unit length
 };
 
+/// @param anchor  positions are this plus the patch
+SurfaceSample sample_patch(const dvec3& anchor, const QuarticPatch& patch, double v, double w);
+
 /// The limit surface at a place, and its derivatives after the parameters, one-sided at the borders of patches (the third jumps there).
 struct LimitJet {
     dvec3 position;
@@ -33,6 +36,29 @@ struct PatchPiece {
     QuarticPatch patch;
     double v = 0, w = 0;      ///< the place in the patch's own parameters
     dvec2 of_v, of_w;         ///< the derivatives of those two after the control face's v, and after its w
+};
+
+/// The patches of a face of the mesh after one step, in one pose.
+class FacePatches {
+public:
+    /// @param positions  of that mesh's vertices
+    FacePatches(const PatchTable& table, std::span<const dvec3> positions, std::uint32_t refined_face);
+
+    const PatchClass& patches() const { return *patches_; }
+    /// The limit of the first corner where the class is anchored, else 0.
+    const dvec3& anchor() const { return anchor_; }
+    /// The coefficients of a patch of the class, as seen from the anchor.
+    QuarticPatch patch(const PatchClass::Node& node) const;
+    dvec3 weighted(std::size_t row) const;
+
+private:
+    static constexpr std::size_t usual = 24; ///< points, so that memory has to be asked for only at valences above 18
+    const PatchClass* patches_;
+    bool regular_;
+    std::array<dvec3, usual> few_;
+    std::vector<dvec3> many_;
+    const dvec3* points() const { return many_.empty() ? few_.data() : many_.data(); }
+    dvec3 anchor_ = dvec3(0);
 };
 
 /// The limit surface of a control mesh in one pose, for any place of any face, without making a finer mesh. Exact. Under the rule of
@@ -55,11 +81,7 @@ public:
 
     /// The polynomial around a place, at most `deepest` levels down from the control face; at extraordinary vertices it is held as above.
     PatchPiece piece(const PatchPoint& at, int deepest = held_at) const;
-    /// The coefficients of a patch of a face's class, as seen from the anchor.
-    QuarticPatch patch(std::uint32_t refined_face, const PatchClass::Node& node) const;
-    /// The limit of the first corner of a face whose class is anchored, else 0.
-    dvec3 anchor(std::uint32_t refined_face) const;
-
+    FacePatches patches(std::uint32_t refined_face) const { return {*table_, positions_, refined_face}; }
     const PatchTable& table() const { return *table_; }
     /// The vertices of the mesh after one step, of which all patches are made.
     std::span<const dvec3> refined_positions() const { return positions_; }

@@ -28,7 +28,7 @@ EdgePoint make_point(const SilhouetteView& view, std::uint32_t edge, double t)
 std::vector<double> crossings_of(const SilhouetteView& view, std::uint32_t h)
 {
     std::vector<double> crossings;
-    if (may_be_crossed(std::array<Facing, 3>{view.at_start(h), view.at_middle(h), view.at_start(next_half_edge(h))}))
+    if (may_be_crossed(std::array<Facing, 3>{view.at_start(h), view.at_middle(h), view.at_start(next_half_edge(h))}, share_of_edges))
         append_crossings(view.pose.shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);
     return crossings;
 }

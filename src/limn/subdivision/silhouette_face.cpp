@@ -26,7 +26,7 @@ double along_side(const LoopTopology& topology, std::uint32_t h, double t) { ret
 /// The samples that arcs are measured by, each made once.
 class ArcMeasure {
 public:
-    ArcMeasure(const SilhouetteView& view, std::uint32_t face) : view_(view), face_(face) {}
+    ArcMeasure(const SilhouetteView& view, const ContourCell& cell) : view_(view), cell_(cell) {}
     bool needs(const dvec2& a, const dvec2& middle, const dvec2& b, int halvings)
     {
         if (view_.curve_points > 0)
@@ -40,11 +40,11 @@ private:
         for (const auto& [place, known] : samples_)
             if (place == at)
                 return known;
-        samples_.emplace_back(at, view_.pose.shape.sample({face_, at.x, at.y}));
+        samples_.emplace_back(at, limn::sample(cell_, at));
         return samples_.back().second;
     }
     const SilhouetteView& view_;
-    std::uint32_t face_;
+    const ContourCell& cell_;
     std::vector<std::pair<dvec2, SurfaceSample>> samples_;
 };
 
@@ -57,9 +57,9 @@ bool are_on_one_side(const std::vector<BoundaryCrossing>& crossings, const dvec2
     return false;
 }
 
-void trace(const SilhouetteView& view, std::uint32_t face, FaceLeaf& leaf)
+void trace(const SilhouetteView& view, FaceLeaf& leaf)
 {
-    ArcMeasure measure(view, face);
+    ArcMeasure measure(view, leaf.cell);
     // An arc that leaves through the side that it came in by must not be the side itself, which may be such an arc of the next face too.
     const NeedsPoint needs = [&](const dvec2& a, const dvec2& middle, const dvec2& b, int halvings) {
         return (halvings == 0 && are_on_one_side(leaf.crossings, a, b)) || measure.needs(a, middle, b, halvings);
@@ -76,13 +76,13 @@ bool has_loop(const FaceLeaf& leaf)
     return std::any_of(leaf.arcs.begin(), leaf.arcs.end(), [](const ContourArc& arc) { return arc.front() == arc.back(); });
 }
 
-void append_children(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf, std::vector<FaceLeaf>& out)
+void append_children(const SilhouetteView& view, const FaceLeaf& leaf, std::vector<FaceLeaf>& out)
 {
     std::array<SplitCell, 4> children = split_with_crossings(leaf.cell, leaf.crossings);
     for (SplitCell& child : children) {
         FaceLeaf& next = out.emplace_back();
         next = {std::move(child.cell), std::move(child.crossings), {}, leaf.front, leaf.level + 1};
-        trace(view, face, next);
+        trace(view, next);
     }
 }
 
@@ -278,7 +278,7 @@ bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const Edge
         places[k] = view.at_start(h);
         places[k + 3] = view.at_middle(h);
     }
-    return may_be_crossed(places);
+    return may_be_crossed(places, share_of_faces) && !is_clear_of_contours(view.pose.shape, view.eye, face);
 }
 
 CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges)
@@ -299,7 +299,7 @@ CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoint
                 leaf.crossings.push_back({int(k), along, on_side(k, along)});
             }
     }
-    trace(view, face, leaf);
+    trace(view, leaf);
     return without_loops(view, std::move(out));
 }
 
@@ -308,7 +308,7 @@ CutFace split_leaves(const SilhouetteView& view, const CutFace& face, const std:
     CutFace out{face.face, {}};
     for (std::size_t i = 0; i < face.leaves.size(); ++i) {
         if (which[i])
-            append_children(view, face.face, face.leaves[i], out.leaves);
+            append_children(view, face.leaves[i], out.leaves);
         else
             out.leaves.push_back(face.leaves[i]);
     }

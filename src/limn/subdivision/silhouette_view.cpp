@@ -26,7 +26,7 @@ Eye searched_eye(const Camera& camera, const dvec3& centre)
     return {dvec4(camera.eye + share * distance * aside, 1)};
 }
 
-bool may_be_crossed(std::span<const Facing> places)
+bool may_be_crossed(std::span<const Facing> places, double share)
 {
     double apart = 0, low = places[0].height, high = low; // apart: squared
     for (std::size_t i = 1; i < places.size(); ++i) {
@@ -36,7 +36,7 @@ bool may_be_crossed(std::span<const Facing> places)
             apart = std::max(apart, glm::dot(d, d));
         }
     }
-    const double turned = std::max(std::sqrt(apart), high - low);
+    const double turned = share * std::max(std::sqrt(apart), high - low);
     return low < turned && high > -turned;
 }
 

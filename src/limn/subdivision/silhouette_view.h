@@ -52,9 +52,11 @@ struct Facing {
     double height; ///< sine of the angle between the surface and the line of sight; negative where it faces away
 };
 
-/// Whether a contour may run between some places: one of them is turned to the eye otherwise than the others, or comes as near to that as they
-/// are turned against each other. (Half as near is possible at most where normals turn evenly.)
-bool may_be_crossed(std::span<const Facing> places);
+/// Whether a contour may run between some places: they are not all turned to the eye in the same way, or one of them comes as near to being
+/// seen edge-on as they are turned against each other, times `share`. (Half as near would do if normals turned evenly between them. No contour
+/// was missed along 79,000 crossed edges of four models with a share of .8 and more, nor a closed one within a face with .2; docs/silhouettes.md.)
+bool may_be_crossed(std::span<const Facing> places, double share);
+inline constexpr double share_of_edges = 1, share_of_faces = 0.5;
 
 /// All that the parts of an exact silhouette read.
 struct SilhouetteView {
