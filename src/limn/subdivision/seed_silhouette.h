@@ -6,7 +6,7 @@ namespace limn {
 
 /// How a face that the contour crosses is cut (specification, 2.9).
 enum class SeedTriangulation : std::uint8_t {
-    strip,  ///< a fan at the corner that the contour cuts off and a strip to the side across: 3 M triangles, T-vertices on that side
+    strip,  ///< a fan at the corner that the contour cuts off and a strip to the side across: 3 M triangles; T-vertices on that side
     sliver, ///< no vertices on the side across: 2 M + 1 triangles, some of them long
 };
 
@@ -20,8 +20,8 @@ struct SeedOptions {
 /// crossings (silhouette-loop specification, 2.7 to 2.9). Vertices come in this order: those of the control mesh; the crossings; then
 /// those within each crossed face. A face that is not crossed stays one triangle, and a view without crossings gives the control mesh on
 /// the limit surface and nothing else. Curves run with the part that faces the eye on their left, one for each crossed face, so that each ends
-/// where the next begins. On a crease each side has crossings of its own: its faces are cut at different points there, and the surface
-/// gapes between these and the straight edge; so it does at the T-vertices of strips. Parallel; the same bytes for any number of threads.
+/// where the next begins; not so on creases, where each side has crossings of its own. There the faces on both sides of the edge get the
+/// crossings of both (a triangle more for each from across), so that the surface does not gape. Parallel; the same bytes for any number of threads.
 /// @throws Error::Input for a depth or curve_points out of range.
 SilhouetteMesh seed_silhouette(const SeedSurface& surface, const SeedPose& pose, const Eye& eye, const SeedOptions& options = {});
 
