@@ -7,6 +7,7 @@
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
 #include "limn/subdivision/pn_curve.h"
+#include "limn/subdivision/sharp_outlines.h"
 
 namespace limn {
 namespace {
@@ -26,29 +27,33 @@ constexpr dvec2 corner_parameters[3] = {{0, 0}, {1, 0}, {0, 1}};
 /// What makes a face more than one triangle.
 struct Cuts {
     std::uint32_t crossed = 0; ///< faces that the contour crosses
-    std::uint32_t foreign = 0; ///< crossings on the other side of their creases
-    friend Cuts operator+(const Cuts& a, const Cuts& b) { return {a.crossed + b.crossed, a.foreign + b.foreign}; }
+    std::uint32_t strips = 0;  ///< those of them with a strip
+    std::uint32_t marks = 0;   ///< points on sharp edges of faces that are not the face's own crossings
+    friend Cuts operator+(const Cuts& a, const Cuts& b) { return {a.crossed + b.crossed, a.strips + b.strips, a.marks + b.marks}; }
 };
 
 class Builder {
 public:
     Builder(const SeedSurface& surface, const SeedPose& pose, const SeedCrossings& found, const SeedOptions& options)
-        : s_(surface), pose_(pose), found_(found), pieces_(std::uint32_t(options.curve_points)), strip_(options.triangulation == SeedTriangulation::strip)
+        : s_(surface), pose_(pose), found_(found), pieces_(std::uint32_t(options.curve_points)), strip_(options.triangulation == SeedTriangulation::strip),
+          first_crossing_(std::uint32_t(pose.positions.size())),
+          outlines_(surface, found, options.curve_points, first_crossing_ + std::uint32_t(found.crossings.size()))
     {
         count_cuts();
-        const std::size_t triangles = triangles_before(s_.topology.triangles.size(), cuts_before_.back());
+        const Cuts& all = cuts_before_.back();
+        const std::size_t triangles = triangles_before(s_.topology.triangles.size(), all);
         if (triangles >= none / 3)
             throw Error::Input(fmt::format("a silhouette of {} triangles: {} are the most there can be", triangles, none / 3));
-        const std::size_t crossed = cuts_before_.back().crossed;
         out_.mesh.positions = pose_.positions;
         for (const Crossing& c : found_.crossings)
             out_.mesh.positions.push_back(c.position);
-        out_.mesh.positions.resize(out_.mesh.positions.size() + crossed * vertices_each());
+        out_.mesh.positions.resize(first_inner_vertex(all));
+        outlines_.set_positions(pose_.fine, out_.mesh.positions);
         out_.mesh.triangles.resize(triangles);
         out_.mesh.corner_normals.resize(3 * triangles);
         out_.faces.resize(triangles);
         out_.parameters.resize(3 * triangles);
-        out_.curves.resize(crossed);
+        out_.curves.resize(all.crossed);
     }
 
     SilhouetteMesh build()
@@ -59,13 +64,13 @@ public:
             for (std::uint32_t f = std::uint32_t(begin); f < end; ++f) {
                 const Cuts own = cuts_of(f);
                 working.first = working.next = triangles_before(f, before);
-                working.splits.clear();
                 if (own.crossed > 0)
-                    cut(f, before.crossed, working);
+                    cut(f, before, own.strips > 0, working);
                 else
                     add(f, control_corner(f, 0), control_corner(f, 1), control_corner(f, 2), working);
-                if (own.foreign > 0)
-                    split(f, working);
+                for (std::uint32_t k = 0; own.marks > 0 && k < 3; ++k)
+                    if (outlines_.is_outline(s_.topology.edge[3 * f + k]))
+                        insert_marks(f, k, working);
                 before = before + own;
             }
         });
@@ -73,36 +78,36 @@ public:
     }
 
 private:
-    /// A crossing from across a crease, between two corners that the face has on this edge.
-    struct Split {
-        Corner from, at, to;
-    };
     /// What a thread works with, face by face.
     struct Working {
         std::size_t first = 0, next = 0; ///< the triangles of the face are made from `first` on
         std::vector<Corner> curve, base;
-        std::vector<Split> splits;
+        std::vector<SharpOutlines::Mark> marks;
     };
 
-    std::size_t triangles_each() const { return strip_ ? 3 * pieces_ : 2 * pieces_ + 1; }
-    std::size_t vertices_each() const { return (strip_ ? 2 : 1) * (pieces_ - 1); }
-    std::size_t triangles_before(std::size_t faces, const Cuts& cuts) const { return faces + cuts.crossed * (triangles_each() - 1) + cuts.foreign; }
-    bool faces_eye(std::uint32_t f, std::uint32_t k) const { return found_.facing[s_.sector[3 * f + k]]; }
-
-    /// The number of the crossing that the face across a half-edge has there for itself, or `none`.
-    std::uint32_t foreign_crossing(std::uint32_t h) const
+    /// A crossed face without a strip is 2 M + 1 triangles and has M - 1 vertices within; a strip adds M - 1 of both, a mark one triangle.
+    std::size_t triangles_before(std::size_t faces, const Cuts& cuts) const
     {
-        const std::uint32_t over = s_.topology.twin[h];
-        return over == none || s_.side[over] == s_.side[h] ? none : found_.of(s_.side[over]);
+        return faces + std::size_t(cuts.crossed) * 2 * pieces_ + std::size_t(cuts.strips) * (pieces_ - 1) + cuts.marks;
     }
+    std::size_t first_inner_vertex(const Cuts& before) const
+    {
+        return first_crossing_ + found_.crossings.size() + outlines_.vertex_count() + std::size_t(before.crossed + before.strips) * (pieces_ - 1);
+    }
+
+    bool faces_eye(std::uint32_t f, std::uint32_t k) const { return found_.facing[s_.sector[3 * f + k]]; }
+    /// The corner that differs from both others in facing the eye; only of crossed faces.
+    std::uint32_t apex(std::uint32_t f) const { return faces_eye(f, 0) == faces_eye(f, 1) ? 2 : faces_eye(f, 0) == faces_eye(f, 2) ? 1 : 0; }
+    bool is_forward(std::uint32_t h) const { return s_.topology.half_edge[s_.topology.edge[h]] == h; }
 
     Cuts cuts_of(std::uint32_t f) const
     {
         Cuts cuts;
         cuts.crossed = faces_eye(f, 0) != faces_eye(f, 1) || faces_eye(f, 1) != faces_eye(f, 2);
-        if (!s_.two_sided.empty())
-            for (std::uint32_t k = 0; k < 3; ++k)
-                cuts.foreign += foreign_crossing(3 * f + k) != none;
+        cuts.strips = cuts.crossed > 0 && strip_ && !outlines_.is_outline(s_.topology.edge[3 * f + (apex(f) + 1) % 3]);
+        for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h)
+            if (outlines_.is_outline(s_.topology.edge[h]))
+                cuts.marks += outlines_.count(s_.topology.edge[h]) - (found_.of(s_.side[h]) != none);
         return cuts;
     }
 
@@ -125,17 +130,19 @@ private:
         return {s_.topology.triangles[f][int(k)], pose_.normals[s_.sector[3 * f + k]], corner_parameters[k]};
     }
 
-    /// How far along a half-edge a crossing of its edge is.
-    double along(std::uint32_t h, const Crossing& c) const { return s_.topology.half_edge[s_.topology.edge[h]] == h ? c.chord : 1 - c.chord; }
-
-    std::uint32_t crossing_vertex(std::uint32_t number) const { return std::uint32_t(pose_.positions.size()) + number; }
+    /// How far along a half-edge its own crossing counts as being.
+    double place(std::uint32_t h, const Crossing& c) const
+    {
+        const double t = outlines_.is_outline(s_.topology.edge[h]) ? c.along : c.chord;
+        return is_forward(h) ? t : 1 - t;
+    }
 
     /// The crossing on the edge from corner k of a face to the next.
     Corner crossing_corner(std::uint32_t f, std::uint32_t k) const
     {
         const std::uint32_t h = 3 * f + k, number = found_.of(s_.side[h]);
         const Crossing& c = found_.crossings[number];
-        return {crossing_vertex(number), c.normal, glm::mix(corner_parameters[k], corner_parameters[(k + 1) % 3], along(h, c))};
+        return {first_crossing_ + number, c.normal, glm::mix(corner_parameters[k], corner_parameters[(k + 1) % 3], place(h, c))};
     }
 
     void set(std::size_t at, const Corner& corner)
@@ -151,11 +158,6 @@ private:
         set(3 * triangle, a), set(3 * triangle + 1, b), set(3 * triangle + 2, c);
     }
 
-    static Corner between(const Corner& a, const Corner& b, double t, std::uint32_t vertex)
-    {
-        return {vertex, mixed_normal(a.normal, b.normal, t), glm::mix(a.parameter, b.parameter, t)};
-    }
-
     /// From a to b in pieces_ pieces, normals and parameters linear. @param vertex  the first of those between them @param at  gives their places
     template <class F> void trace(const Corner& a, const Corner& b, std::uint32_t vertex, F&& at, std::vector<Corner>& points)
     {
@@ -164,48 +166,30 @@ private:
         for (std::uint32_t i = 1; i < pieces_; ++i) {
             const double t = double(i) / double(pieces_);
             out_.mesh.positions[vertex] = at(t);
-            points.push_back(between(a, b, t, vertex++));
+            points.push_back({vertex++, mixed_normal(a.normal, b.normal, t), glm::mix(a.parameter, b.parameter, t)});
         }
         points.push_back(b);
     }
 
-    /// @param rank  how many crossed faces come before
-    void cut(std::uint32_t f, std::uint32_t rank, Working& working)
+    void cut(std::uint32_t f, const Cuts& before, bool with_strip, Working& working)
     {
-        // The corner that differs from both others, and these, counter-clockwise.
-        const std::uint32_t k = faces_eye(f, 0) == faces_eye(f, 1) ? 2 : faces_eye(f, 0) == faces_eye(f, 2) ? 1 : 0;
-        const Corner apex = control_corner(f, k), b = control_corner(f, (k + 1) % 3), c = control_corner(f, (k + 2) % 3);
+        const std::uint32_t k = apex(f); // and the others, counter-clockwise:
+        const Corner tip = control_corner(f, k), b = control_corner(f, (k + 1) % 3), c = control_corner(f, (k + 2) % 3);
         const Corner first = crossing_corner(f, k), last = crossing_corner(f, (k + 2) % 3);
         const std::vector<dvec3>& p = out_.mesh.positions;
-        const std::uint32_t inner = crossing_vertex(std::uint32_t(found_.crossings.size() + rank * vertices_each()));
+        const std::uint32_t inner = std::uint32_t(first_inner_vertex(before));
         const PnCurve pn(p[first.vertex], first.normal, p[last.vertex], last.normal);
-        std::vector<Corner>& curve = working.curve;
-        trace(first, last, inner, [&](double t) { return pn.at(t); }, curve);
+        const std::vector<Corner>& curve = working.curve;
+        trace(first, last, inner, [&](double t) { return pn.at(t); }, working.curve);
         for (std::uint32_t i = 0; i < pieces_; ++i)
-            add(f, apex, curve[i], curve[i + 1], working);
-        if (strip_) {
-            trace_base(b, c, 3 * f + (k + 1) % 3, inner + pieces_ - 1, working);
+            add(f, tip, curve[i], curve[i + 1], working);
+        if (with_strip) {
+            trace(b, c, inner + pieces_ - 1, [&](double t) { return glm::mix(p[b.vertex], p[c.vertex], t); }, working.base);
             add_strip(f, working);
         } else {
             add_slivers(f, b, c, working);
         }
-        keep_curve(rank, curve, faces_eye(f, k));
-    }
-
-    /// The side across from the apex: straight, or by way of the crossing that the face across a crease has on it.
-    void trace_base(const Corner& b, const Corner& c, std::uint32_t h, std::uint32_t inner, Working& working)
-    {
-        const std::vector<dvec3>& p = out_.mesh.positions;
-        const std::uint32_t foreign = foreign_crossing(h);
-        if (foreign == none) {
-            trace(b, c, inner, [&](double t) { return glm::mix(p[b.vertex], p[c.vertex], t); }, working.base);
-            return;
-        }
-        const dvec3& middle = found_.crossings[foreign].position;
-        const double s = along(h, found_.crossings[foreign]);
-        trace(b, c, inner, [&](double t) { return t <= s ? glm::mix(p[b.vertex], middle, t / s) : glm::mix(middle, p[c.vertex], (t - s) / (1 - s)); }, working.base);
-        const std::uint32_t i = std::min(std::uint32_t(s * pieces_), pieces_ - 1);
-        working.splits.push_back({working.base[i], between(b, c, s, crossing_vertex(foreign)), working.base[i + 1]});
+        keep_curve(before.crossed, curve, faces_eye(f, k));
     }
 
     void add_strip(std::uint32_t f, Working& working)
@@ -240,41 +224,50 @@ private:
             std::reverse(line.begin(), line.end());
     }
 
-    /// Puts the crossings from across the face's creases into its triangles.
-    void split(std::uint32_t f, Working& working)
+    /// Puts the points of a sharp edge that the face's triangles do not have yet into them.
+    void insert_marks(std::uint32_t f, std::uint32_t k, Working& working)
     {
-        const bool has_base = !working.splits.empty();
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t h = 3 * f + k, foreign = foreign_crossing(h), own = found_.of(s_.side[h]);
-            if (foreign == none || (own == none && has_base))
+        const std::uint32_t h = 3 * f + k, e = s_.topology.edge[h];
+        const bool forward = is_forward(h), is_crossed = found_.of(s_.side[h]) != none;
+        outlines_.gather(e, first_crossing_, working.marks);
+        if (!forward)
+            std::reverse(working.marks.begin(), working.marks.end());
+        const Corner last = control_corner(f, (k + 1) % 3), own = is_crossed ? crossing_corner(f, k) : last;
+        Corner from = control_corner(f, k), to = own;
+        for (const SharpOutlines::Mark& mark : working.marks) {
+            if (is_crossed && mark.vertex == own.vertex) {
+                from = own, to = last;
                 continue;
-            const double s = along(h, found_.crossings[foreign]);
-            Split split{control_corner(f, k), {}, control_corner(f, (k + 1) % 3)};
-            double from = 0, to = 1;
-            if (own != none) {
-                const double t = along(h, found_.crossings[own]);
-                const bool is_before = s != t ? s < t : (foreign < own) == (s_.topology.half_edge[s_.topology.edge[h]] == h);
-                (is_before ? split.to : split.from) = crossing_corner(f, k);
-                (is_before ? to : from) = t;
             }
-            split.at = between(split.from, split.to, to > from ? (s - from) / (to - from) : 0, crossing_vertex(foreign));
-            working.splits.push_back(split);
+            const dvec2 parameter = glm::mix(corner_parameters[k], corner_parameters[(k + 1) % 3], forward ? mark.t : 1 - mark.t);
+            const Corner at{mark.vertex, normal_at(e, mark, !forward, from, to, parameter), parameter};
+            split(f, from, at, to, working);
+            from = at;
         }
-        for (const Split& one : working.splits)
-            split_triangle(f, one, working);
     }
 
-    /// Cuts the triangle with that side in two.
-    void split_triangle(std::uint32_t f, const Split& split, Working& working)
+    /// Of the surface on the face's own side; at the other side's crossing linear between its neighbours.
+    dvec3 normal_at(std::uint32_t e, const SharpOutlines::Mark& mark, bool right, const Corner& from, const Corner& to, const dvec2& parameter) const
+    {
+        const double whole = glm::distance(from.parameter, to.parameter);
+        const dvec3 linear = mixed_normal(from.normal, to.normal, whole > 0 ? glm::distance(from.parameter, parameter) / whole : 0);
+        if (mark.row == none)
+            return linear;
+        const dvec3 normal = outlines_.point(e, mark.row, right, pose_.fine).normal;
+        return normal == dvec3(0) ? linear : normal;
+    }
+
+    /// Cuts the face's triangle with the side from - to in two.
+    void split(std::uint32_t f, const Corner& from, const Corner& at, const Corner& to, Working& working)
     {
         for (std::size_t h = 3 * working.first; h < 3 * working.next; ++h) {
             const std::size_t after = h % 3 == 2 ? h - 2 : h + 1, across = h % 3 == 0 ? h + 2 : h - 1;
-            const auto vertex = [&](std::size_t at) { return out_.mesh.triangles[at / 3][int(at % 3)]; };
-            if (vertex(h) != split.from.vertex || vertex(after) != split.to.vertex)
+            const auto vertex = [&](std::size_t corner) { return out_.mesh.triangles[corner / 3][int(corner % 3)]; };
+            if (vertex(h) != from.vertex || vertex(after) != to.vertex)
                 continue;
             const Corner tip{vertex(across), dvec3(out_.mesh.corner_normals[across]), out_.parameters[across]};
-            set(after, split.at);
-            add(f, split.at, split.to, tip, working);
+            set(after, at);
+            add(f, at, to, tip, working);
             return;
         }
     }
@@ -284,6 +277,8 @@ private:
     const SeedCrossings& found_;
     std::uint32_t pieces_;
     bool strip_;
+    std::uint32_t first_crossing_; ///< the vertex of the first crossing
+    SharpOutlines outlines_;
     std::vector<Cuts> cuts_before_;
     SilhouetteMesh out_;
 };

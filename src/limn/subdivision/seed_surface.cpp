@@ -65,6 +65,19 @@ void number_sides(SeedSurface& s)
     }
 }
 
+void number_sharp(SeedSurface& s)
+{
+    const LoopTopology& t = s.topology;
+    for (std::uint32_t e = 0; e < t.edge_count(); ++e) {
+        if (t.sharpness[e] < infinitely_sharp)
+            continue;
+        if (s.sharp.empty())
+            s.sharp_number.assign(t.edge_count(), none);
+        s.sharp_number[e] = std::uint32_t(s.sharp.size());
+        s.sharp.push_back(e);
+    }
+}
+
 EdgeStencils make_halves(const LoopTopology& t, int levels)
 {
     std::vector<DirectedEdge> halves(2 * t.edge_count());
@@ -85,6 +98,7 @@ SeedSurface make_seed_surface(LoopTopology topology, int levels)
     s.halves = make_halves(s.topology, levels);
     number_sectors(s);
     number_sides(s);
+    number_sharp(s);
     return s;
 }
 

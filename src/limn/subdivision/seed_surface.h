@@ -26,6 +26,8 @@ struct SeedSurface {
     /// The edges with a second side, that of their half-edge's twin. Side e is the first of edge e, side edge_count() + k the second of two_sided[k].
     std::vector<std::uint32_t> two_sided;
     std::vector<std::array<std::uint32_t, 2>> ends; ///< per side: the sectors at the start and the end of its edge
+    std::vector<std::uint32_t> sharp;        ///< the edges that are infinitely sharp, borders among them
+    std::vector<std::uint32_t> sharp_number; ///< per edge: which of these it is, or `none`; empty where there are none
 
     std::size_t side_count() const { return ends.size(); }
     bool is_second(std::uint32_t s) const { return s >= topology.edge_count(); }
