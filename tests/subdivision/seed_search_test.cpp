@@ -12,7 +12,7 @@ namespace {
 bool same_bits(const SeedCrossings& a, const SeedCrossings& b)
 {
     return a.facing == b.facing && a.crossed == b.crossed && a.crossings.size() == b.crossings.size()
-           && std::equal(a.crossings.begin(), a.crossings.end(), b.crossings.begin(), [](const Crossing& c, const Crossing& d) {
+           && std::equal(a.crossings.begin(), a.crossings.end(), b.crossings.begin(), [](const SeedCrossing& c, const SeedCrossing& d) {
                   return c.position == d.position && c.normal == d.normal && c.along == d.along && c.chord == d.chord && c.side == d.side;
               });
 }
@@ -59,7 +59,7 @@ TEST(SeedSearch, FindsWhatASearchOfTheRefinedMeshFinds)
         std::size_t checked = 0;
         for (std::uint64_t view = 0; view < 20; ++view) {
             const Eye eye = random_eye(17, view);
-            for (const Crossing& c : find_crossings(p.surface, p.at, eye).crossings) {
+            for (const SeedCrossing& c : find_seed_crossings(p.surface, p.at, eye).crossings) {
                 const std::uint32_t e = c.side, h = t.half_edge[e];
                 const std::uint32_t ends[2] = {t.start(h), t.end(h)};
                 int found = 0;
@@ -83,7 +83,7 @@ TEST(SeedSearch, CrossesNoneOrTwoEdgesOfEveryFace)
     for (std::uint64_t view = 0; view < 12000; ++view) {
         const Posed& p = all[view % all.size()];
         const double distance = view % 3 == 0 ? 0.7 : 5; // and amid the surface
-        const SeedCrossings found = find_crossings(p.surface, p.at, random_eye(18, view, distance, view % 5 == 0), 1);
+        const SeedCrossings found = find_seed_crossings(p.surface, p.at, random_eye(18, view, distance, view % 5 == 0), 1);
         std::size_t uses = 0;
         for (std::uint32_t f = 0; f < p.surface.topology.triangles.size(); ++f) {
             int crossed = 0;
@@ -101,12 +101,12 @@ TEST(SeedSearch, CrossesNoneOrTwoEdgesOfEveryFace)
 TEST(SeedSearch, CountsAVertexOnTheContourAsFacing)
 {
     const Posed p = posed(octahedron());
-    const SeedCrossings found = find_crossings(p.surface, p.at, {dvec4(0, 0, 1, 0)}); // four vertices are on the contour
+    const SeedCrossings found = find_seed_crossings(p.surface, p.at, {dvec4(0, 0, 1, 0)}); // four vertices are on the contour
     for (std::size_t v = 0; v < 6; ++v) {
         EXPECT_EQ(found.facing[v], v != 5) << v;
     }
     ASSERT_EQ(found.crossings.size(), 4u);
-    for (const Crossing& c : found.crossings) {
+    for (const SeedCrossing& c : found.crossings) {
         const auto [a, b] = p.surface.ends[c.side];
         EXPECT_LT(glm::distance(c.position, p.at.positions[a == 5 ? b : a]), 1e-15);
     }
@@ -121,9 +121,9 @@ Errors errors_of(const Posed& p, std::uint64_t set)
     Errors errors;
     for (std::uint64_t view = 0; view < 6; ++view) {
         const Eye eye = random_eye(set, view);
-        const SeedCrossings exact = find_crossings(p.surface, p.at, eye, 12);
+        const SeedCrossings exact = find_seed_crossings(p.surface, p.at, eye, 12);
         for (int depth = 1; depth <= 6; ++depth) {
-            const SeedCrossings found = find_crossings(p.surface, p.at, eye, depth);
+            const SeedCrossings found = find_seed_crossings(p.surface, p.at, eye, depth);
             for (std::size_t i = 0; i < exact.crossings.size(); ++i) {
                 const double error = glm::distance(found.crossings[i].position, exact.crossings[i].position);
                 errors.largest[depth] = std::max(errors.largest[depth], error);
@@ -166,7 +166,7 @@ TEST(SeedSearch, EndsOnTheContour)
         double most = 0;
         for (std::uint64_t view = 0; view < 50; ++view) {
             const Eye eye = random_eye(20, view, 5, view % 2 == 1);
-            for (const Crossing& c : find_crossings(p.surface, p.at, eye).crossings)
+            for (const SeedCrossing& c : find_seed_crossings(p.surface, p.at, eye).crossings)
                 most = std::max(most, off_contour(eye, c));
         }
         EXPECT_LT(most, 1e-4) << name;
@@ -190,9 +190,9 @@ TEST(SeedSearch, FindsTheContourOfASphere)
     }
     ASSERT_LT(outer - inner, 1e-3);
     const Eye eye = random_eye(21, 0, 3);
-    const SeedCrossings found = find_crossings(p.surface, p.at, eye);
+    const SeedCrossings found = find_seed_crossings(p.surface, p.at, eye);
     ASSERT_GT(found.crossings.size(), 100u);
-    for (const Crossing& c : found.crossings) {
+    for (const SeedCrossing& c : found.crossings) {
         EXPECT_NEAR(glm::length(c.position), inner, 1e-3);
         EXPECT_NEAR(glm::dot(c.position, glm::normalize(dvec3(eye.place))), inner * inner / 3, 2e-3);
         EXPECT_LT(glm::distance(c.normal, glm::normalize(c.position)), 3e-3);
@@ -204,7 +204,7 @@ TEST(SeedSearch, GivesTheClosestPointOnTheChord)
 {
     const Posed p = posed(torus(8, 6, 1, 0.45));
     const LoopTopology& t = p.surface.topology;
-    for (const Crossing& c : find_crossings(p.surface, p.at, random_eye(22, 0)).crossings) {
+    for (const SeedCrossing& c : find_seed_crossings(p.surface, p.at, random_eye(22, 0)).crossings) {
         const std::uint32_t h = t.half_edge[p.surface.edge_of(c.side)];
         const dvec3 &a = p.at.positions[t.start(h)], &b = p.at.positions[t.end(h)];
         const double own = glm::distance(c.position, glm::mix(a, b, c.chord));
@@ -223,9 +223,9 @@ TEST(SeedSearch, MovesSmoothlyWithTheEye)
     std::size_t compared = 0;
     for (int step = 0; step < 20000; ++step) {
         const double angle = step * 1e-4;
-        const SeedCrossings found = find_crossings(p.surface, p.at, {dvec4(5 * std::cos(angle), 5 * std::sin(angle), 1, 1)});
+        const SeedCrossings found = find_seed_crossings(p.surface, p.at, {dvec4(5 * std::cos(angle), 5 * std::sin(angle), 1, 1)});
         std::vector<double> now(before.size(), -1);
-        for (const Crossing& c : found.crossings) {
+        for (const SeedCrossing& c : found.crossings) {
             now[c.side] = c.chord;
             if (before[c.side] < 0)
                 continue;
@@ -244,7 +244,7 @@ TEST(SeedSearch, NeedNotComputeAllPoints)
         for (std::uint64_t view = 0; view < 4; ++view)
             for (const int depth : {0, 2, 4}) {
                 const Eye eye = random_eye(23, view);
-                EXPECT_TRUE(same_bits(find_crossings(p.surface, p.at, eye, depth), find_crossings(p.surface, p.at, eye, depth, SeedEvaluation::all))) << name;
+                EXPECT_TRUE(same_bits(find_seed_crossings(p.surface, p.at, eye, depth), find_seed_crossings(p.surface, p.at, eye, depth, SeedEvaluation::all))) << name;
             }
     }
 }
@@ -252,8 +252,8 @@ TEST(SeedSearch, NeedNotComputeAllPoints)
 TEST(SeedSearch, RefusesDepthsThatTheTablesLack)
 {
     const Posed p = posed(octahedron(), 3);
-    EXPECT_THROW(find_crossings(p.surface, p.at, {}, 4), Error::Input);
-    EXPECT_THROW(find_crossings(p.surface, p.at, {}, -1), Error::Input);
+    EXPECT_THROW(find_seed_crossings(p.surface, p.at, {}, 4), Error::Input);
+    EXPECT_THROW(find_seed_crossings(p.surface, p.at, {}, -1), Error::Input);
 }
 
 /// Creases: each side of the edge is searched with the normals of its own faces; both find points of the crease.
@@ -274,7 +274,7 @@ TEST(SeedSearch, CrossesCreasesOnEachSide)
     std::size_t sides[2] = {};
     for (std::uint64_t view = 0; view < 50; ++view) {
         const Eye eye = random_eye(24, view, 2);
-        for (const Crossing& c : find_crossings(p.surface, p.at, eye).crossings) {
+        for (const SeedCrossing& c : find_seed_crossings(p.surface, p.at, eye).crossings) {
             if (p.surface.topology.sharpness[p.surface.edge_of(c.side)] == 0)
                 continue;
             ++sides[p.surface.is_second(c.side)];
@@ -300,7 +300,7 @@ TEST(SeedSearch, HoldsForEveryPose)
         const Mesh moved = shaken(mesh, 0.2, 100 + frame);
         const Posed fresh = posed(moved);
         const Eye eye = random_eye(34, frame);
-        EXPECT_TRUE(same_bits(find_crossings(surface, pose(surface, moved.positions), eye), find_crossings(fresh.surface, fresh.at, eye)));
+        EXPECT_TRUE(same_bits(find_seed_crossings(surface, make_seed_pose(surface, moved.positions), eye), find_seed_crossings(fresh.surface, fresh.at, eye)));
         for (std::size_t i = 0; i < surface.halves.size(); ++i) {
             ASSERT_TRUE(std::ranges::equal(surface.halves.support(i), fresh.surface.halves.support(i)));
         }

@@ -47,7 +47,7 @@ inline Posed posed(const Mesh& mesh, int levels = 5)
 {
     ControlMesh control = make_control_mesh(mesh);
     Posed out{make_seed_surface(std::move(control.topology), levels), {}};
-    out.at = pose(out.surface, control.positions);
+    out.at = make_seed_pose(out.surface, control.positions);
     return out;
 }
 
@@ -62,7 +62,7 @@ inline double largest_side(const Posed& p)
 }
 
 /// |cos| of the angle between a crossing's normal and the direction to the eye.
-inline double off_contour(const Eye& eye, const Crossing& c)
+inline double off_contour(const Eye& eye, const SeedCrossing& c)
 {
     return std::abs(glm::dot(glm::normalize(eye.from(c.position)), c.normal));
 }

@@ -31,7 +31,7 @@ void expect_as_refined(const Refined& mesh, const Refined& fine, const LimitSurf
     }
     for (const Piece& p : pieces)
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const EdgePoint point = evaluate(table.row(p.corner[k].x, p.corner[k].y), support, mesh.positions);
+            const EdgePoint point = limit_of_row(table.row(p.corner[k].x, p.corner[k].y), support, mesh.positions);
             ASSERT_LT(glm::distance(point.position, limit.positions[fine.topology.triangles[p.face][int(k)]]), 1e-12);
             ASSERT_LT(glm::distance(point.normal, limit.normals[3 * p.face + k]), 1e-9);
         }

@@ -198,16 +198,16 @@ void set_column(EdgeTable& table, EdgeTable::Side side, std::size_t j, const Loo
 }
 
 /// Of one edge: what the table of its kind is found by, and the vertices of its support.
-struct Neighbourhood {
+struct Surroundings {
     EdgeKey key;
     std::vector<std::uint32_t> support;
 };
 
-Neighbourhood neighbourhood(const LoopTopology& t, const DirectedEdge& edge, Spokes& spokes)
+Surroundings surroundings(const LoopTopology& t, const DirectedEdge& edge, Spokes& spokes)
 {
     const std::uint32_t h = t.half_edge[edge.edge], end = t.start(h) == edge.start ? t.end(h) : t.start(h);
     Ring first = ring_at(t, edge.start, edge.edge, spokes), second = ring_at(t, end, edge.edge, spokes);
-    Neighbourhood n{{std::move(first.key), std::move(second.key)}, {edge.start}};
+    Surroundings n{{std::move(first.key), std::move(second.key)}, {edge.start}};
     n.support.insert(n.support.end(), first.neighbours.begin(), first.neighbours.end());
     each_new_point(n.key, [&](std::size_t j) { n.support.push_back(second.neighbours[j]); });
     return n;
@@ -280,7 +280,7 @@ EdgeTable make_edge_table(const EdgeKey& key, int levels)
     return table;
 }
 
-EdgePoint evaluate(std::span<const double> row, std::span<const std::uint32_t> support, std::span<const dvec3> positions)
+EdgePoint limit_of_row(std::span<const double> row, std::span<const std::uint32_t> support, std::span<const dvec3> positions)
 {
     const std::size_t s = support.size();
     const double *p = row.data(), *pu = p + s, *pv = pu + s;
@@ -326,7 +326,7 @@ EdgeStencils::EdgeStencils(const LoopTopology& t, std::span<const DirectedEdge> 
     vertices_ = parallel_collect<std::uint32_t>(edges.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) {
         Spokes spokes;
         for (std::size_t i = begin; i < end; ++i) {
-            const Neighbourhood n = neighbourhood(t, edges[i], spokes);
+            const Surroundings n = surroundings(t, edges[i], spokes);
             size[i] = std::uint32_t(n.support.size());
             if (is_plain(n.key))
                 plain_valence[i] = std::uint32_t(n.key.start.size());
@@ -340,7 +340,7 @@ EdgeStencils::EdgeStencils(const LoopTopology& t, std::span<const DirectedEdge> 
     Spokes spokes;
     table_.resize(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i)
-        table_[i] = plain_valence[i] != none ? numbers.of_plain(plain_valence[i]) : numbers.of(neighbourhood(t, edges[i], spokes).key);
+        table_[i] = plain_valence[i] != none ? numbers.of_plain(plain_valence[i]) : numbers.of(surroundings(t, edges[i], spokes).key);
     tables_.resize(numbers.keys().size());
     parallel_each(tables_.size(), 1, [&](std::size_t k) { tables_[k] = make_edge_table(*numbers.keys()[k], levels); });
 }

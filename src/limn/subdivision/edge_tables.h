@@ -66,7 +66,7 @@ struct EdgeTable {
 EdgeTable make_edge_table(const EdgeKey& key, int levels);
 
 /// The point of a row. @param support  vertices of the mesh, in the table's order
-EdgePoint evaluate(std::span<const double> row, std::span<const std::uint32_t> support, std::span<const dvec3> positions);
+EdgePoint limit_of_row(std::span<const double> row, std::span<const std::uint32_t> support, std::span<const dvec3> positions);
 
 /// The row of a regular edge (both valences 6) in closed form at any t in [0,1]: as EdgeTable::row, with u = d/dt along the edge and v the
 /// derivative towards r1 (specification, 2.5).
@@ -90,7 +90,7 @@ public:
     std::span<const EdgeTable> tables() const { return tables_; } ///< one for each key that there is
     EdgePoint point(std::size_t i, std::size_t row, EdgeTable::Side side, std::span<const dvec3> positions) const
     {
-        return evaluate(table(i).row(row, side), support(i), positions);
+        return limit_of_row(table(i).row(row, side), support(i), positions);
     }
 
 private:

@@ -53,7 +53,7 @@ public:
     }
 
     /// @param points  for working
-    Crossing cross(std::uint32_t side, std::vector<EdgePoint>& points) const
+    SeedCrossing cross(std::uint32_t side, std::vector<EdgePoint>& points) const
     {
         const std::uint32_t e = s_.edge_of(side), h = s_.topology.half_edge[e];
         const bool right = s_.is_second(side);
@@ -64,7 +64,7 @@ public:
         const Sample middle = sample(eye_, s_.halves.point(2 * e, pieces, right ? EdgeTable::right : EdgeTable::left, pose_.fine));
         const bool second = middle.front == first.front; // the half in which the signs differ
         const Half half{2 * e + second, right != second ? EdgeTable::right : EdgeTable::left};
-        Crossing c = bisect(half, second ? last : first, middle, points);
+        SeedCrossing c = bisect(half, second ? last : first, middle, points);
         c.along = second ? 1 - c.along / 2 : c.along / 2;
         c.chord = closest_on_chord(c.position, p1, p2);
         c.side = side;
@@ -79,7 +79,7 @@ private:
 
     EdgePoint point(const Half& half, std::size_t row) const { return s_.halves.point(half.number, row, half.side, pose_.fine); }
 
-    Crossing bisect(const Half& half, Sample a, Sample b, std::vector<EdgePoint>& points) const
+    SeedCrossing bisect(const Half& half, Sample a, Sample b, std::vector<EdgePoint>& points) const
     {
         std::size_t i = 0, j = std::size_t(1) << depth_;
         const std::size_t stride = std::size_t(1) << (s_.levels - depth_);
@@ -98,7 +98,7 @@ private:
                 a = between, i = k;
         }
         const double w = zero_between(a, b);
-        Crossing c;
+        SeedCrossing c;
         c.position = glm::mix(a.position, b.position, w);
         c.normal = mixed_normal(a.normal, b.normal, w);
         c.along = (double(i) + w) / pieces;
@@ -138,7 +138,7 @@ void test(const SeedSurface& s, const SeedPose& pose, const Eye& eye, SeedCrossi
 
 } // namespace
 
-SeedCrossings find_crossings(const SeedSurface& s, const SeedPose& pose, const Eye& eye, int depth, SeedEvaluation evaluation)
+SeedCrossings find_seed_crossings(const SeedSurface& s, const SeedPose& pose, const Eye& eye, int depth, SeedEvaluation evaluation)
 {
     if (depth < 0 || depth > s.levels)
         throw Error::Input(fmt::format("a search of depth {}: the tables hold 0 to {}", depth, s.levels));

@@ -15,7 +15,7 @@ enum class SeedEvaluation : std::uint8_t {
 };
 
 /// Where the contour crosses an edge.
-struct Crossing {
+struct SeedCrossing {
     dvec3 position, normal;
     double along = 0; ///< in [0,1]: where on the edge's limit curve, in the parameter of the search, from start to end
     double chord = 0; ///< in [0,1]: the closest point on the straight line between the edge's ends on the limit surface
@@ -25,10 +25,10 @@ struct Crossing {
 /// The crossings of one view. A vertex sector faces the eye if (E - p) . n >= 0; the contour crosses the sides of edges whose two ends differ.
 /// So every face has none or two of them (specification, 2.7). Edges that it crosses twice are not seen.
 struct SeedCrossings {
-    std::vector<std::uint8_t> facing;  ///< per sector: whether it faces the eye
-    std::vector<Crossing> crossings;   ///< in the order of their sides
-    std::vector<std::uint64_t> crossed; ///< per side a bit
-    std::vector<std::uint32_t> before;  ///< per 64 sides: how many crossings come before them
+    std::vector<std::uint8_t> facing;    ///< per sector: whether it faces the eye
+    std::vector<SeedCrossing> crossings; ///< in the order of their sides
+    std::vector<std::uint64_t> crossed;  ///< per side a bit
+    std::vector<std::uint32_t> before;   ///< per 64 sides: how many crossings come before them
 
     /// The number of a side's crossing, or `none`.
     std::uint32_t of(std::uint32_t side) const
@@ -43,6 +43,6 @@ struct SeedCrossings {
 /// for any number of threads. Nothing is NaN where edges have no length, normals are 0, or the eye is on the surface.
 /// @param depth  0 to SeedSurface::levels
 /// @throws Error::Input for other depths.
-SeedCrossings find_crossings(const SeedSurface& surface, const SeedPose& pose, const Eye& eye, int depth = 5, SeedEvaluation evaluation = SeedEvaluation::bisected);
+SeedCrossings find_seed_crossings(const SeedSurface& surface, const SeedPose& pose, const Eye& eye, int depth = 5, SeedEvaluation evaluation = SeedEvaluation::bisected);
 
 } // namespace limn

@@ -26,9 +26,9 @@ constexpr dvec2 corner_parameters[3] = {{0, 0}, {1, 0}, {0, 1}};
 
 /// What makes a face more than one triangle.
 struct Cuts {
-    std::uint32_t crossed = 0; ///< faces that the contour crosses
-    std::uint32_t strips = 0;  ///< those of them with a strip
-    std::uint32_t marks = 0;   ///< points on sharp edges of faces that are not the face's own crossings
+    std::size_t crossed = 0; ///< faces that the contour crosses
+    std::size_t strips = 0;  ///< those of them with a strip
+    std::size_t marks = 0;   ///< points on sharp edges of faces that are not the face's own crossings
     friend Cuts operator+(const Cuts& a, const Cuts& b) { return {a.crossed + b.crossed, a.strips + b.strips, a.marks + b.marks}; }
 };
 
@@ -45,7 +45,7 @@ public:
         if (triangles >= none / 3)
             throw Error::Input(fmt::format("a silhouette of {} triangles: {} are the most there can be", triangles, none / 3));
         out_.mesh.positions = pose_.positions;
-        for (const Crossing& c : found_.crossings)
+        for (const SeedCrossing& c : found_.crossings)
             out_.mesh.positions.push_back(c.position);
         out_.mesh.positions.resize(first_inner_vertex(all));
         outlines_.set_positions(pose_.fine, out_.mesh.positions);
@@ -88,11 +88,11 @@ private:
     /// A crossed face without a strip is 2 M + 1 triangles and has M - 1 vertices within; a strip adds M - 1 of both, a mark one triangle.
     std::size_t triangles_before(std::size_t faces, const Cuts& cuts) const
     {
-        return faces + std::size_t(cuts.crossed) * 2 * pieces_ + std::size_t(cuts.strips) * (pieces_ - 1) + cuts.marks;
+        return faces + cuts.crossed * 2 * pieces_ + cuts.strips * (pieces_ - 1) + cuts.marks;
     }
     std::size_t first_inner_vertex(const Cuts& before) const
     {
-        return first_crossing_ + found_.crossings.size() + outlines_.vertex_count() + std::size_t(before.crossed + before.strips) * (pieces_ - 1);
+        return first_crossing_ + found_.crossings.size() + outlines_.vertex_count() + (before.crossed + before.strips) * (pieces_ - 1);
     }
 
     bool faces_eye(std::uint32_t f, std::uint32_t k) const { return found_.facing[s_.sector[3 * f + k]]; }
@@ -131,7 +131,7 @@ private:
     }
 
     /// How far along a half-edge its own crossing counts as being.
-    double place(std::uint32_t h, const Crossing& c) const
+    double place(std::uint32_t h, const SeedCrossing& c) const
     {
         const double t = outlines_.is_outline(s_.topology.edge[h]) ? c.along : c.chord;
         return is_forward(h) ? t : 1 - t;
@@ -141,7 +141,7 @@ private:
     Corner crossing_corner(std::uint32_t f, std::uint32_t k) const
     {
         const std::uint32_t h = 3 * f + k, number = found_.of(s_.side[h]);
-        const Crossing& c = found_.crossings[number];
+        const SeedCrossing& c = found_.crossings[number];
         return {first_crossing_ + number, c.normal, glm::mix(corner_parameters[k], corner_parameters[(k + 1) % 3], place(h, c))};
     }
 
@@ -194,7 +194,8 @@ private:
 
     void add_strip(std::uint32_t f, Working& working)
     {
-        const std::vector<Corner>&curve = working.curve, &base = working.base;
+        const std::vector<Corner>& curve = working.curve;
+        const std::vector<Corner>& base = working.base;
         for (std::uint32_t i = 0; i < pieces_; ++i) {
             add(f, curve[i], base[i], base[i + 1], working);
             add(f, curve[i], base[i + 1], curve[i + 1], working);
@@ -214,7 +215,7 @@ private:
     }
 
     /// @param apex_faces  the apex, on the left of the curve as it was traced, faces the eye
-    void keep_curve(std::uint32_t rank, const std::vector<Corner>& curve, bool apex_faces)
+    void keep_curve(std::size_t rank, const std::vector<Corner>& curve, bool apex_faces)
     {
         std::vector<std::uint32_t>& line = out_.curves[rank];
         line.reserve(curve.size());
@@ -289,7 +290,7 @@ SilhouetteMesh seed_silhouette(const SeedSurface& surface, const SeedPose& pose,
 {
     if (options.curve_points < 1 || options.curve_points > most_curve_points)
         throw Error::Input(fmt::format("{} curve points: 1 to {} are possible", options.curve_points, most_curve_points));
-    return Builder(surface, pose, find_crossings(surface, pose, eye, options.depth), options).build();
+    return Builder(surface, pose, find_seed_crossings(surface, pose, eye, options.depth), options).build();
 }
 
 } // namespace limn

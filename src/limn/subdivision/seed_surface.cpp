@@ -11,14 +11,7 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// The first spoke that is sharp for ever where there are two or more such, else the first of all.
-std::size_t first_border(const Spokes& spokes)
-{
-    const auto is_border = [](float s) { return s >= infinitely_sharp; };
-    if (std::count_if(spokes.sharpness.begin(), spokes.sharpness.end(), is_border) < 2)
-        return 0;
-    return std::size_t(std::find_if(spokes.sharpness.begin(), spokes.sharpness.end(), is_border) - spokes.sharpness.begin());
-}
+bool is_sharp_for_ever(float sharpness) { return sharpness >= infinitely_sharp; }
 
 void number_sectors(SeedSurface& s)
 {
@@ -30,14 +23,15 @@ void number_sectors(SeedSurface& s)
     for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
         s.sector_vertex[v] = v;
         t.gather(v, spokes);
-        const std::size_t faces = spokes.half_edges.size(), first = first_border(spokes);
-        const bool several = std::count_if(spokes.sharpness.begin(), spokes.sharpness.end(), [](float x) { return x >= infinitely_sharp; }) > 1;
+        const auto first_sharp = std::find_if(spokes.sharpness.begin(), spokes.sharpness.end(), is_sharp_for_ever);
+        const bool several = std::count_if(first_sharp, spokes.sharpness.end(), is_sharp_for_ever) > 1;
+        const std::size_t faces = spokes.half_edges.size(), first = several ? std::size_t(first_sharp - spokes.sharpness.begin()) : 0;
         std::uint32_t sector = v;
         for (std::size_t i = 0; i < faces; ++i) {
             const std::size_t face = (first + i) % faces;
             if (i == 0) {
                 s.sector_corner[v] = spokes.half_edges[face];
-            } else if (several && spokes.sharpness[face] >= infinitely_sharp) {
+            } else if (several && is_sharp_for_ever(spokes.sharpness[face])) {
                 sector = std::uint32_t(s.sector_corner.size());
                 s.sector_corner.push_back(spokes.half_edges[face]);
                 s.sector_vertex.push_back(v);
@@ -57,7 +51,7 @@ void number_sides(SeedSurface& s)
     }
     for (std::uint32_t e = 0; e < t.edge_count(); ++e) {
         const std::uint32_t over = t.twin[t.half_edge[e]];
-        if (over == none || t.sharpness[e] < infinitely_sharp)
+        if (over == none || !is_sharp_for_ever(t.sharpness[e]))
             continue;
         s.side[over] = std::uint32_t(s.ends.size());
         s.ends.push_back({s.sector[next_half_edge(over)], s.sector[over]});
@@ -69,7 +63,7 @@ void number_sharp(SeedSurface& s)
 {
     const LoopTopology& t = s.topology;
     for (std::uint32_t e = 0; e < t.edge_count(); ++e) {
-        if (t.sharpness[e] < infinitely_sharp)
+        if (!is_sharp_for_ever(t.sharpness[e]))
             continue;
         if (s.sharp.empty())
             s.sharp_number.assign(t.edge_count(), none);
@@ -102,7 +96,7 @@ SeedSurface make_seed_surface(LoopTopology topology, int levels)
     return s;
 }
 
-SeedPose pose(const SeedSurface& s, std::span<const dvec3> positions)
+SeedPose make_seed_pose(const SeedSurface& s, std::span<const dvec3> positions)
 {
     LimitSurface limit = limit_surface(s.topology, positions);
     SeedPose posed{refine_positions(s.topology, positions), std::move(limit.positions), std::vector<dvec3>(s.sector_corner.size(), dvec3(0))};

@@ -45,6 +45,6 @@ struct SeedPose {
     std::vector<dvec3> normals;   ///< per sector: of the limit surface, unit length
 };
 /// @param positions  of the control mesh's vertices
-SeedPose pose(const SeedSurface& surface, std::span<const dvec3> positions);
+SeedPose make_seed_pose(const SeedSurface& surface, std::span<const dvec3> positions);
 
 } // namespace limn
