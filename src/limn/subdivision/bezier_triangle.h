@@ -39,6 +39,22 @@ template <int degree, class T> T bezier_value(const BezierTriangle<degree, T>& b
         return bezier_value(casteljau_step(b, v, w), v, w);
 }
 
+/// A value with its derivatives after v and w.
+template <class T> struct BezierPoint {
+    T value, dv, dw;
+};
+template <int degree, class T> BezierPoint<T> bezier_point(const BezierTriangle<degree, T>& b, double v, double w)
+{
+    if constexpr (degree == 1)
+        return {bezier_value(b, v, w), b.c[1] - b.c[0], b.c[2] - b.c[0]};
+    else {
+        BezierPoint<T> point = bezier_point(casteljau_step(b, v, w), v, w);
+        constexpr double grows = double(degree) / (degree - 1);
+        point.dv *= grows, point.dw *= grows;
+        return point;
+    }
+}
+
 /// The derivative after v or w.
 template <int degree, class T> BezierTriangle<degree - 1, T> bezier_dv(const BezierTriangle<degree, T>& b)
 {

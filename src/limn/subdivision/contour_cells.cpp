@@ -9,7 +9,7 @@ namespace limn {
 namespace {
 
 /// Levels below the refined face to which faces with an extraordinary vertex are cut at first.
-constexpr int first_levels = 2;
+constexpr int first_levels = 1;
 /// Crossings are kept this far away from the ends of their side.
 constexpr double least = 1e-7;
 
@@ -60,7 +60,7 @@ void add_pieces(ContourCell& cell, std::uint32_t refined_face, const PatchClass:
         face.patches(), node ? *node : face.patches().nodes[0], corners, levels,
         [&](const ParameterTriangle& at, const PatchClass::Node& patch) {
             const QuarticPatch net = face.patch(patch);
-            cell.pieces.push_back({at, contour_polynomial(face.anchor(), net, *cell.of.eye), at, face.anchor(), net});
+            cell.pieces.push_back(std::make_shared<ContourPiece>(ContourPiece{at, contour_polynomial(face.anchor(), net, *cell.of.eye), at, face.anchor(), net}));
             return true;
         },
         [&](const ParameterTriangle& at, const PatchClass::Node& rest) { cell.rests.push_back({at, refined_face, &rest}); });
@@ -68,9 +68,9 @@ void add_pieces(ContourCell& cell, std::uint32_t refined_face, const PatchClass:
 
 const ContourPiece* piece_at(const ContourCell& cell, const dvec2& at)
 {
-    for (const ContourPiece& piece : cell.pieces)
-        if (holds(piece.corners, at))
-            return &piece;
+    for (const auto& piece : cell.pieces)
+        if (holds(piece->corners, at))
+            return piece.get();
     return nullptr;
 }
 
@@ -83,12 +83,13 @@ dvec2 in_piece(const ContourPiece& piece, const dvec2& direction)
 /// Whether g grows in a direction all over a cell.
 bool grows(const ContourCell& cell, const dvec2& direction)
 {
-    for (const ContourPiece& piece : cell.pieces) {
-        const dvec2 d = in_piece(piece, direction);
+    for (const auto& piece : cell.pieces) {
+        const dvec2 d = in_piece(*piece, direction);
+        const ContourPolynomial& g = piece->g;
         for (int k = 0; k < 10; ++k)
             for (int j = 0; j < 10 - k; ++j) {
-                const double here = piece.g.at(j, k);
-                if (!(d.x * (piece.g.at(j + 1, k) - here) + d.y * (piece.g.at(j, k + 1) - here) > 0))
+                const double here = g.at(j, k);
+                if (!(d.x * (g.at(j + 1, k) - here) + d.y * (g.at(j, k + 1) - here) > 0))
                     return false;
             }
     }
@@ -97,40 +98,68 @@ bool grows(const ContourCell& cell, const dvec2& direction)
 
 bool has_one_sign(const ContourCell& cell)
 {
-    const bool negative = cell.pieces.empty() ? false : cell.pieces[0].g.c[0] < 0;
-    for (const ContourPiece& piece : cell.pieces)
-        for (const double c : piece.g.c)
+    const bool negative = cell.pieces.empty() ? false : cell.pieces[0]->g.c[0] < 0;
+    for (const auto& piece : cell.pieces)
+        for (const double c : piece->g.c)
             if ((c < 0) != negative)
                 return false;
     return true;
 }
 
-/// The direction in which g grows fastest at a place, among those of the control face's parameters.
-dvec2 gradient(const ContourCell& cell, const dvec2& at)
+/// g and its derivatives after the control face's parameters, where a piece is.
+struct ContourPoint {
+    double value = 0;
+    dvec2 gradient = dvec2(0);
+};
+
+ContourPoint contour_point(const ContourPiece& piece, const dvec2& at)
+{
+    const dvec2 place = weights_at(piece.corners, at);
+    const BezierPoint<double> point = bezier_point(piece.g, place.x, place.y);
+    const dvec2 one = in_piece(piece, {1, 0}), other = in_piece(piece, {0, 1});
+    return {point.value, {point.dv * one.x + point.dw * one.y, point.dv * other.x + point.dw * other.y}};
+}
+
+/// The direction of fastest growth at a place, of unit length; 0 where it is not known.
+dvec2 growth(const ContourCell& cell, const dvec2& at)
 {
     const ContourPiece* piece = piece_at(cell, at);
     if (!piece)
         return dvec2(0);
-    const dvec2 place = weights_at(piece->corners, at);
-    const double dv = bezier_value(bezier_dv(piece->g), place.x, place.y), dw = bezier_value(bezier_dw(piece->g), place.x, place.y);
-    const dvec2 one = in_piece(*piece, {1, 0}), other = in_piece(*piece, {0, 1});
-    return {dv * one.x + dw * one.y, dv * other.x + dw * other.y};
+    const dvec2 gradient = contour_point(*piece, at).gradient;
+    const double length = glm::length(gradient);
+    return length > 0 ? gradient / length : dvec2(0);
+}
+
+/// A direction in which g grows all over the cell, or 0 where none of those was one that suggest themselves.
+dvec2 direction_of_growth(const ContourCell& cell, const dvec2& middle, std::span<const BoundaryCrossing> crossings)
+{
+    const dvec2 here = growth(cell, middle);
+    if (here != dvec2(0) && grows(cell, here))
+        return here;
+    dvec2 sum = here;
+    for (const BoundaryCrossing& c : crossings)
+        sum += growth(cell, c.at);
+    if (crossings.empty())
+        for (const dvec2& corner : cell.corners)
+            sum += growth(cell, corner);
+    return sum != dvec2(0) && grows(cell, sum) ? sum : dvec2(0);
 }
 
 /// Where g changes its sign along a segment that sides of pieces lie on, from 0 to 1.
-std::vector<double> changes_along(const std::vector<ContourPiece>& pieces, const dvec2& from, const dvec2& to)
+std::vector<double> changes_along(const ContourCell& cell, const dvec2& from, const dvec2& to)
 {
     const dvec2 along = to - from;
     const double length = glm::dot(along, along);
     std::vector<double> changes, roots;
-    for (const ContourPiece& piece : pieces)
+    for (const auto& piece : cell.pieces)
         for (int side = 0; side < 3; ++side) {
-            const dvec2 a = piece.corners[std::size_t(side)] - from, b = piece.corners[std::size_t(side + 1) % 3] - from;
+            const dvec2 a = piece->corners[std::size_t(side)] - from, b = piece->corners[std::size_t(side + 1) % 3] - from;
             if (cross(a, along) != 0 || cross(b, along) != 0) // dyadic numbers: exact
                 continue;
             const double begin = glm::dot(a, along) / length, end = glm::dot(b, along) / length;
             roots.clear();
-            append_sign_changes(along_side(piece.g, side), roots);
+            append_sign_changes(along_side(piece->g, side), roots);
             for (const double root : roots)
                 changes.push_back(std::clamp(begin + root * (end - begin), least, 1 - least));
         }
@@ -153,35 +182,31 @@ std::array<double, 2> within(const ParameterTriangle& t, const dvec2& origin, co
     return {low, high};
 }
 
-/// The only point of the contour on a line through the cell; where there is none, for rounding, the place given.
+/// The point of the contour on a line through the cell, near a place of it. By Newton's method, and by halving where that leaves the cell or
+/// does not get on; where there is none, for rounding, the place given.
 dvec2 on_contour(const ContourCell& cell, const dvec2& at, const dvec2& direction)
 {
+    constexpr int most_steps = 40;
+    constexpr double enough = 1e-9; // of the width
     auto [low, high] = within(cell.corners, at, direction);
     if (!(low < high))
         return at;
-    double at_low = contour_value(cell, at + low * direction), at_high = contour_value(cell, at + high * direction);
-    if ((at_low < 0) == (at_high < 0))
-        return at;
-    double h = 0, width = high - low;
-    const double enough = 1e-10 * width;
-    int stays = 0;
-    for (int i = 0; i < 60 && high - low > enough; ++i) {
-        if (i > 0)
-            h = low - at_low * (high - low) / (at_high - at_low);
-        if (!(h > low && h < high))
-            h = 0.5 * (low + high);
-        const double g = contour_value(cell, at + h * direction);
-        if (g == 0)
+    const double width = high - low;
+    const bool rises = glm::dot(growth(cell, at), direction) >= 0;
+    double h = 0;
+    for (int i = 0; i < most_steps; ++i) {
+        const dvec2 place = at + h * direction;
+        const ContourPiece* piece = piece_at(cell, place);
+        const ContourPoint point = piece ? contour_point(*piece, place) : ContourPoint{contour_value(cell, place), dvec2(0)};
+        ((point.value < 0) == rises ? low : high) = h;
+        const double slope = glm::dot(point.gradient, direction);
+        double next = slope != 0 ? h - point.value / slope : low;
+        if (!(next > low && next < high))
+            next = 0.5 * (low + high);
+        const double step = std::abs(next - h);
+        h = next;
+        if (step < enough * width)
             break;
-        if ((g < 0) == (at_low < 0)) {
-            low = h, at_low = g;
-            at_high *= stays == 1 ? 0.5 : 1;
-            stays = 1;
-        } else {
-            high = h, at_high = g;
-            at_low *= stays == -1 ? 0.5 : 1;
-            stays = -1;
-        }
     }
     return at + h * direction;
 }
@@ -193,21 +218,22 @@ std::array<SplitCell, 4> split(const ContourCell& cell)
     std::array<SplitCell, 4> out;
     for (std::size_t k = 0; k < 4; ++k)
         out[k].cell.of = cell.of, out[k].cell.corners = children[k];
-    for (const ContourPiece& piece : cell.pieces) {
-        const double part = std::abs(cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0]) /
+    for (const auto& piece : cell.pieces) {
+        const double part = std::abs(cross(piece->corners[1] - piece->corners[0], piece->corners[2] - piece->corners[0]) /
                                      cross(cell.corners[1] - cell.corners[0], cell.corners[2] - cell.corners[0]));
         for (std::size_t k = 0; k < 4; ++k) {
             if (part <= 0.25) { // within one of the children
-                if (holds(children[k], centroid(piece.corners)))
+                if (holds(children[k], centroid(piece->corners)))
                     out[k].cell.pieces.push_back(piece);
                 continue;
             }
             std::array<dvec3, 3> corners;
             for (std::size_t i = 0; i < 3; ++i) {
-                const dvec2 weights = weights_at(piece.corners, children[k][i]);
+                const dvec2 weights = weights_at(piece->corners, children[k][i]);
                 corners[i] = {1 - weights.x - weights.y, weights.x, weights.y};
             }
-            out[k].cell.pieces.push_back({children[k], bezier_part(piece.g, corners), piece.of_patch, piece.anchor, piece.patch});
+            out[k].cell.pieces.push_back(
+                std::make_shared<ContourPiece>(ContourPiece{children[k], bezier_part(piece->g, corners), piece->of_patch, piece->anchor, piece->patch}));
         }
     }
     for (const ContourRest& rest : cell.rests)
@@ -231,8 +257,8 @@ public:
             return;
         }
         if (n == 0 || n == 2) {
-            const dvec2 direction = gradient(cell, n == 0 ? centroid(cell.corners) : 0.5 * (crossings[0].at + crossings[1].at));
-            if (direction != dvec2(0) && grows(cell, direction)) {
+            const dvec2 direction = direction_of_growth(cell, n == 0 ? centroid(cell.corners) : 0.5 * (crossings[0].at + crossings[1].at), crossings);
+            if (direction != dvec2(0)) {
                 if (n == 2)
                     walk(cell, crossings[0].at, crossings[1].at, direction);
                 return;
@@ -332,7 +358,7 @@ std::array<SplitCell, 4> split_with_crossings(const ContourCell& cell, const std
     const ContourCell& middle = out[3].cell;
     for (int side = 0; side < 3; ++side) { // shared with the second side of another quarter
         const dvec2 from = middle.corners[std::size_t(side)], to = middle.corners[std::size_t(side + 1) % 3];
-        for (const double t : changes_along(middle.pieces, from, to)) {
+        for (const double t : changes_along(middle, from, to)) {
             const dvec2 at = from + t * (to - from);
             out[3].crossings.push_back({side, t, at});
             out[std::size_t(side + 1) % 3].crossings.push_back({1, 1 - t, at});

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "limn/subdivision/contour_polynomial.h"
@@ -42,7 +43,7 @@ struct ContourRest {
 struct ContourCell {
     ContourOf of;
     ParameterTriangle corners;
-    std::vector<ContourPiece> pieces; ///< with the rests they fill the cell
+    std::vector<std::shared_ptr<const ContourPiece>> pieces; ///< with the rests they fill the cell; parts of it have the same
     std::vector<ContourRest> rests;   ///< cut into polynomials when the cell is cut
 };
 

@@ -41,8 +41,11 @@ public:
         std::vector<std::uint8_t> changed(faces_.size(), 0);
         parallel_each(faces_.size(), grain, [&](std::size_t f) {
             const std::uint32_t face = std::uint32_t(f);
+            const bool whole = !has_edge_points(view_.topology(), face, edges_) && is_good_triangle(view_, face, view_.faces_eye(3 * face));
+            if (whole && !may_hold_contour(view_, face, edges_))
+                return;
             CutFace cut = cut_face(view_, face, edges_);
-            if (is_plain(cut) && !has_edge_points(view_.topology(), face, edges_) && is_good_triangle(view_, face, cut.leaves[0].front))
+            if (whole && is_plain(cut))
                 return;
             faces_[f].cut = std::move(cut);
             changed[f] = 1;
