@@ -8,7 +8,7 @@ namespace limn {
 
 /// Where charts lie in a square texture, in texels; rows count down. Each lies in a cell of its own: its box and half a gap around, where the
 /// cell's sides are at multiples of the gap. So in the mip levels up to log2(gap) no texel mixes two cells, and bilinear filtering within a
-/// chart stays in its cell.
+/// chart stays in its cell (where the texture's side is a multiple of the gap, so that levels halve evenly).
 struct Atlas {
     /// A rectangle of texels [low, high).
     struct Cell {
@@ -24,6 +24,8 @@ struct Atlas {
 
     /// Where a point of a chart lies; (0,0) is the upper left corner of the upper left texel.
     dvec2 texel(std::size_t chart, const dvec2& p) const { return origins[chart] + scale * dvec2(p.x, -p.y); }
+    /// The other way: the point of a chart's plane.
+    dvec2 chart_point(std::size_t chart, const dvec2& p) const { return dvec2(p.x - origins[chart].x, origins[chart].y - p.y) / scale; }
     int mip_levels() const; ///< levels below the finest that are clean
 };
 

@@ -9,70 +9,63 @@
 #include "limn/base/distance_transform.h"
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/drawing/png.h"
+#include "limn/subdivision/map_gutter.h"
 #include "limn/subdivision/tangent_frames.h"
 
 namespace limn {
 namespace {
 
-/// What is painted at a place of the surface: a unit vector.
-template <class F> concept NormalAt = requires(F f, PatchPoint at) {
-    { f(at) } -> std::convertible_to<dvec3>;
+/// What is painted at a place: a vector of unit length. `own` is a place of the chart, `seen` the one whose normal is meant; they differ in gutters.
+template <class F> concept Painter = requires(F f, PatchPoint own, PatchPoint seen) {
+    { f(own, seen) } -> std::convertible_to<dvec3>;
 };
 
-void put(Image& texels, int x, int y, const dvec3& normal)
+constexpr float straight_up[3] = {0.5f, 0.5f, 1};
+
+void put(float* texel, const dvec3& normal)
 {
-    float* texel = texels.at(x, y);
     for (int k = 0; k < 3; ++k)
         texel[k] = float(normal[k] / 2 + 0.5);
-    texel[3] = 1;
 }
 
-/// Parameters of a place in a flat triangle, for any point of the plane.
-struct FlatFace {
-    dvec2 first, v_side, w_side;
-    double area; ///< twice
-
-    explicit FlatFace(const dvec2 (&corners)[3])
-        : first(corners[0]), v_side(corners[1] - corners[0]), w_side(corners[2] - corners[0]), area(v_side.x * w_side.y - v_side.y * w_side.x)
-    {
-    }
-    dvec2 parameters(const dvec2& p) const
-    {
-        const dvec2 d = p - first;
-        return {(d.x * w_side.y - d.y * w_side.x) / area, (v_side.x * d.y - v_side.y * d.x) / area};
-    }
-};
-
-/// Paints the texels whose middle lies in a chart. @return how many
-template <NormalAt F> std::size_t paint_faces(Image& texels, const Atlas& atlas, const Chart& chart, std::size_t number, F&& normal_at)
+/// Paints the texels whose middle lies in a chart, at least one. @return how many
+template <Painter F> std::size_t paint_faces(Image& texels, const Atlas& atlas, const Chart& chart, std::size_t number, F&& paint)
 {
     constexpr double rounding = 1e-9; // so that no texel falls between two faces
     const Atlas::Cell& cell = atlas.cells[number];
     std::size_t painted = 0;
+    const auto paint_texel = [&](int x, int y, const PatchPoint& at) {
+        put(texels.at(x, y), paint(at, at));
+        texels.at(x, y)[3] = 1;
+        ++painted;
+    };
     for (int f = 0; f < chart.face_count(); ++f) {
         dvec2 corners[3];
         for (int k = 0; k < 3; ++k)
             corners[k] = atlas.texel(number, chart.corners[f][k]);
-        const FlatFace face(corners);
-        if (face.area == 0)
-            continue;
         const dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]), high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
         for (int y = std::max(cell.low.y, int(low.y)); y < std::min(cell.high.y, int(high.y) + 1); ++y)
             for (int x = std::max(cell.low.x, int(low.x)); x < std::min(cell.high.x, int(high.x) + 1); ++x) {
-                const dvec2 p = face.parameters({x + 0.5, y + 0.5});
-                if (texels.at(x, y)[3] > 0 || p.x < -rounding || p.y < -rounding || p.x + p.y > 1 + rounding)
+                const dvec2 p = flat_parameters(corners, {x + 0.5, y + 0.5});
+                if (texels.at(x, y)[3] > 0 || !(p.x >= -rounding && p.y >= -rounding && p.x + p.y <= 1 + rounding))
                     continue;
                 const double v = std::max(p.x, 0.0), w = std::max(p.y, 0.0), sum = std::max(v + w, 1.0);
-                put(texels, x, y, normal_at(PatchPoint{chart.faces[f], v / sum, w / sum}));
-                ++painted;
+                paint_texel(x, y, {chart.faces[f], v / sum, w / sum});
             }
+    }
+    if (painted == 0) {
+        const ivec2 middle = ivec2(atlas.texel(number, chart.size / 2.0));
+        paint_texel(middle.x, middle.y, {chart.faces[0], 1.0 / 3, 1.0 / 3});
     }
     return painted;
 }
 
-/// Fills the rest of a cell with the nearest of its painted texels.
-void fill_cell(Image& texels, const Atlas::Cell& cell)
+/// Fills the rest of a cell.
+template <Painter F> void fill_cell(Image& texels, const MapLayout& layout, const LoopTopology& topology, std::size_t number, MapGutter gutter, F&& paint)
 {
+    constexpr std::int64_t continued = 2 * 2; // texels, squared
+    const Atlas::Cell& cell = layout.atlas.cells[number];
     const ivec2 size = cell.high - cell.low;
     std::vector<std::uint8_t> marked;
     for (int y = cell.low.y; y < cell.high.y; ++y)
@@ -80,32 +73,30 @@ void fill_cell(Image& texels, const Atlas::Cell& cell)
             marked.push_back(texels.at(x, y)[3] > 0);
     const DistanceTransform nearest = distance_transform(marked, size);
     for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            if (marked[std::size_t(y) * std::size_t(size.x) + std::size_t(x)] == 0) {
+        for (int x = 0; x < size.x; ++x) {
+            float* texel = texels.at(cell.low.x + x, cell.low.y + y);
+            if (const std::int64_t distance = nearest.squared_distance(x, y); distance > 0 && distance <= continued && gutter == MapGutter::continued) {
+                const dvec2 p = layout.atlas.chart_point(number, dvec2(cell.low + ivec2(x, y)) + 0.5);
+                const GutterPoint at = gutter_point(layout.charts[number], p, topology, layout.limit);
+                put(texel, paint(at.own, at.beyond));
+            } else if (distance > 0) {
                 const ivec2 from = cell.low + nearest.nearest_to(x, y);
-                std::copy_n(texels.at(from.x, from.y), 3, texels.at(cell.low.x + x, cell.low.y + y));
+                std::copy_n(texels.at(from.x, from.y), 3, texel);
             }
+        }
 }
 
-constexpr float straight_up[3] = {0.5f, 0.5f, 1};
-
-template <NormalAt F> NormalMap paint(const MapLayout& layout, bool dilate, F&& normal_at)
+template <Painter F> NormalMap paint_map(const MapLayout& layout, const LoopTopology& topology, MapGutter gutter, F&& paint)
 {
-    const Atlas& atlas = layout.atlas;
     NormalMap map;
-    map.texels = Image({atlas.size, atlas.size}, 4);
+    map.texels = Image({layout.atlas.size, layout.atlas.size}, 4);
     for (std::size_t i = 0; i < map.texels.samples.size(); i += 4) // what lies outside of all cells
         std::copy_n(straight_up, 3, map.texels.samples.data() + i);
     std::vector<std::size_t> covered(layout.charts.size());
     parallel_each(layout.charts.size(), 8, [&](std::size_t i) {
-        covered[i] = paint_faces(map.texels, atlas, layout.charts[i], i, normal_at);
-        if (covered[i] == 0) {
-            const ivec2 middle = ivec2(atlas.texel(i, layout.charts[i].size / 2.0));
-            put(map.texels, middle.x, middle.y, normal_at(PatchPoint{layout.charts[i].faces[0], 1.0 / 3, 1.0 / 3}));
-            covered[i] = 1;
-        }
-        if (dilate)
-            fill_cell(map.texels, atlas.cells[i]);
+        covered[i] = paint_faces(map.texels, layout.atlas, layout.charts[i], i, paint);
+        if (gutter != MapGutter::empty)
+            fill_cell(map.texels, layout, topology, i, gutter, paint);
     });
     for (const std::size_t count : covered)
         map.covered += count;
@@ -129,6 +120,17 @@ PatchPoint taken_down(PatchPoint at, int levels)
     return at;
 }
 
+/// A direction's components along tangent, bitangent and normal, which need not be at right angles or units; made a unit.
+dvec3 in_frame(const dvec3& tangent, const dvec3& normal, const dvec3& direction)
+{
+    const dvec3 bitangent = glm::cross(normal, tangent);
+    const double volume = glm::dot(glm::cross(tangent, bitangent), normal);
+    if (!(volume > 0))
+        return {0, 0, 1}; // no frame: whatever stands in the map, the mesh's own normal is as good
+    return glm::normalize(dvec3(glm::dot(glm::cross(bitangent, normal), direction), glm::dot(glm::cross(normal, tangent), direction),
+                                glm::dot(glm::cross(tangent, bitangent), direction)));
+}
+
 } // namespace
 
 const OptionTable<NormalMapOptions>& normal_map_option_table()
@@ -142,40 +144,47 @@ const OptionTable<NormalMapOptions>& normal_map_option_table()
                                        "lay faces out two by two, or each on its own", &Options::charts),
         choice_row<Options, int>("map-gap", {{"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}, {"32", 32}, {"64", 64}},
                                  "texels between charts; the map is clean in mip levels up to its binary logarithm", &Options::gap),
-        choice_row<Options, int>("map-bits", {{"8", 8}, {"16", 16}}, "bits of the map's samples", &Options::bits)};
+        choice_row<Options, int>("map-bits", {{"8", 8}, {"16", 16}}, "bits of the map's samples", &Options::bits),
+        switch_row<Options>("map-alpha", "add an alpha channel that tells which texels lie in charts", &Options::alpha)};
     return table;
 }
 
-MapLayout lay_out_map(const LoopTopology& topology, std::span<const dvec3> limit, const NormalMapOptions& options)
+MapLayout lay_out_map(const LoopTopology& topology, std::vector<dvec3> limit, const NormalMapOptions& options)
 {
     MapLayout layout;
-    layout.charts = make_charts(topology, limit, options.charts);
+    layout.limit = std::move(limit);
+    layout.charts = make_charts(topology, layout.limit, options.charts);
     layout.atlas = pack_charts(layout.charts, options.size, options.gap);
     layout.uvs = atlas_uvs(layout.atlas, layout.charts, topology.triangles.size());
     return layout;
 }
 
-NormalMap object_space_map(const MapLayout& layout, const LimitShape& shape, bool dilate)
+NormalMap object_space_map(const MapLayout& layout, const LimitShape& shape, MapGutter gutter)
 {
-    return paint(layout, dilate, [&](const PatchPoint& at) { return shape.normal(at); });
+    return paint_map(layout, shape.table().control(), gutter, [&](const PatchPoint&, const PatchPoint& seen) { return shape.normal(seen); });
 }
 
-NormalMap tangent_space_map(const MapLayout& layout, const LimitShape& shape, const Mesh& mesh, int levels, bool dilate)
+std::string normal_map_png(const NormalMap& map, const NormalMapOptions& options)
+{
+    if (options.alpha)
+        return encode_png(map.texels, {.bits = options.bits});
+    Image opaque(map.texels.size(), 3);
+    for (std::size_t i = 0; i < opaque.samples.size() / 3; ++i)
+        std::copy_n(map.texels.samples.data() + 4 * i, 3, opaque.samples.data() + 3 * i);
+    return encode_png(opaque, {.bits = options.bits});
+}
+
+NormalMap tangent_space_map(const MapLayout& layout, const LimitShape& shape, const Mesh& mesh, int levels, MapGutter gutter)
 {
     if (mesh.corner_normals.size() != 3 * mesh.triangles.size() || mesh.corner_uvs.size() != mesh.corner_normals.size() ||
         mesh.triangles.size() != (layout.uvs.size() / 3) << (2 * levels))
         throw Error::Input(fmt::format("a mesh of {} triangles is not the mesh after {} levels with normals and texture coordinates", mesh.triangles.size(), levels));
     const std::vector<dvec3> tangents = corner_tangents(mesh);
-    return paint(layout, dilate, [&](const PatchPoint& at) {
-        const PatchPoint fine = taken_down(at, levels);
+    return paint_map(layout, shape.table().control(), gutter, [&](const PatchPoint& own, const PatchPoint& seen) {
+        const PatchPoint fine = taken_down(own, levels);
         const std::size_t c = 3 * std::size_t(fine.face);
         const auto mixed = [&](const auto& values) { return (1 - fine.v - fine.w) * dvec3(values[c]) + fine.v * dvec3(values[c + 1]) + fine.w * dvec3(values[c + 2]); };
-        const dvec3 n = mixed(mesh.corner_normals), t = mixed(tangents), b = glm::cross(n, t);
-        const double volume = glm::dot(glm::cross(t, b), n);
-        const dvec3 normal = shape.normal(at);
-        if (!(volume > 0))
-            return dvec3(0, 0, 1); // no frame that could be undone
-        return glm::normalize(dvec3(glm::dot(glm::cross(b, n), normal), glm::dot(glm::cross(n, t), normal), glm::dot(glm::cross(t, b), normal)) / volume);
+        return in_frame(mixed(tangents), mixed(mesh.corner_normals), shape.normal(seen));
     });
 }
 
