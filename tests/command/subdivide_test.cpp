@@ -6,6 +6,8 @@
 #include "console.h"
 #include "limn/drawing/png.h"
 #include "limn/geometry/read_mesh.h"
+#include "limn/geometry/write_mesh.h"
+#include "limn/subdivision/control_samples.h"
 
 namespace limn::test {
 namespace {
@@ -146,6 +148,9 @@ TEST_F(SubdivideCommand, WritesTheSameBytesForAnyNumberOfThreads)
         subdivided(options + " --threads 4 -o " + path("four.ply"), "torus.obj");
         EXPECT_TRUE(read_text(path("one.ply")) == read_text(path("four.ply"))) << options;
     }
+    for (const std::string threads : {"1", "4"})
+        subdivided("--space tangent --map-size 256 --normal-map " + path(threads + ".png") + " --threads " + threads + " -o " + path(threads + ".glb"));
+    EXPECT_TRUE(read_text(path("1.png")) == read_text(path("4.png")) && read_text(path("1.glb")) == read_text(path("4.glb")));
 }
 
 /// The JSON chunk of a .glb file.
@@ -223,6 +228,12 @@ TEST_F(SubdivideCommand, MeetsTheNumbersOfItsManual)
     EXPECT_EQ(report["triangles"], 2560);
     EXPECT_NEAR(report["error"]["measured"], 0.0041, 0.00005);
     EXPECT_TRUE(report["warnings"].empty());
+    write_mesh(make_control_sample("mug"), path("mug.obj"));
+    for (const auto& [charts, fill] : {std::pair("triangles", 0.37), std::pair("pairs", 0.71)}) {
+        const auto mapped = nlohmann::json::parse(subdivided("--normal-map " + path("map.png") + " --json -o " + path("a.obj") + " --map-charts " + charts, "mug.obj").output);
+        EXPECT_EQ(mapped["triangles"], 348);
+        EXPECT_NEAR(mapped["normal_map"]["fill"], fill, 0.005) << charts;
+    }
 }
 
 TEST_F(SubdivideCommand, RefusesWhatItCannotDo)
