@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,10 +10,14 @@
 
 namespace limn {
 
+/// A surface's normal (unit) at a place of a triangle, whose corners 1 and 2 have the weights u and v. Called from many threads.
+using NormalAt = std::function<vec3(std::uint32_t triangle, float u, float v)>;
+
 /// One object of a RayScene with what pictures need of it.
 struct SeenObject {
     RayTriangles triangles;
     std::span<const vec3> normals; ///< one per vertex, unit; empty: those of the triangles
+    NormalAt normal_at = {};       ///< where it is given, fragments have these normals, not interpolated ones
 };
 
 /// What a camera looks at. `objects` are those that `rays` was built from, in the same order; their coordinates are

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limn/camera/camera.h"
+#include "limn/lines/prepare.h"
+#include "limn/raycast/fragment.h"
+#include "limn/scene/subdivision_options.h"
+#include "limn/subdivision/seed_surface.h"
+#include "limn/subdivision/silhouette_mesh.h"
+#include "limn/subdivision/silhouette_pose.h"
+
+namespace limn {
+
+/// A control mesh, ready to be shown from any side.
+class LoopModel {
+public:
+    /// @throws Error::Input for a mesh that cannot be subdivided (make_control_mesh) or becomes too large by `base_levels`.
+    LoopModel(const Mesh& mesh, const SubdivisionOptions& options);
+    LoopModel(const LoopModel&) = delete; ///< the pose looks into the table
+    LoopModel& operator=(const LoopModel&) = delete;
+
+    const SilhouettePose& pose() const { return pose_; }
+    const std::vector<std::string>& notes() const { return notes_; }
+    std::size_t face_count() const { return table_.control().triangles.size(); }
+    int base_levels() const { return base_levels_; }
+    /// The greatest distance of the limit surface to the middle of an edge with its ends on the limit surface.
+    double deviation() const;
+
+    /// A mesh for one picture, as the options' silhouette says, with normals only.
+    /// @param camera   in the frame of the control mesh
+    /// @param exact    is given the normals of the limit surface at places of the mesh's triangles; it must not outlive the model
+    PreparedMesh view_mesh(const Camera& camera, NormalAt* exact = nullptr) const;
+
+    /// A fine mesh on the limit surface, for lines: with the limit surface's curvature, split where sharp edges are.
+    /// @param levels  below the control mesh and its base levels
+    PreparedMesh fine_mesh(int levels, Need need) const;
+
+private:
+    SilhouetteMesh silhouette(const Camera& camera) const;
+
+    SubdivisionOptions options_;
+    int base_levels_;
+    std::vector<std::string> notes_;
+    std::vector<dvec3> positions_;
+    PatchTable table_;
+    SilhouettePose pose_;
+    std::optional<SeedSurface> seed_;
+    SeedPose seed_pose_;
+};
+
+/// The camera as it stands to something that a similarity puts into the world.
+Camera in_object_frame(const Camera& camera, const dmat4& transform);
+
+/// How many levels bring the fine mesh's error below a length; at most as many as keep it below 4 million triangles.
+int levels_for(const LoopModel& model, double error);
+
+} // namespace limn
