@@ -23,6 +23,7 @@ struct PictureCommand {
     limn::LineOptions lines;
     limn::Style style;
     limn::Need need = limn::Need::normals; ///< of the surface, besides what the lines need
+    bool shades_cut_meshes = false;        ///< control meshes are shaded as cut for each camera; lines are always drawn of fine ones
     bool uses_gpu = false;            ///< the subcommand has a way to compute on the GPU
     int turntable = 0;                ///< frames; 0: one picture
     std::string cameras;              ///< JSON file with a list of cameras, or ""

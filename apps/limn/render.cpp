@@ -30,6 +30,7 @@ constexpr const char* examples = R"(Examples:
   limn render part.stl -o part.png --background '#ffffff' --view 30,20 --size 1280x720 --bits 16
   limn render vase.glb -o turn.png --turntable 24
   limn render scene.json -o scene.png --view 30,20
+  limn render creature.obj -o creature.png --subdivision loop
   limn render bunny.ply -o data.exr --pass kr,depth,normal,id --cameras cameras.json)";
 
 struct RenderCommand {
@@ -169,6 +170,7 @@ Subcommand add_render(CLI::App& limn)
     auto command = std::make_shared<RenderCommand>();
     command->pictures.name = "render";
     command->pictures.uses_gpu = true;
+    command->pictures.shades_cut_meshes = true;
     command->pictures.formats = {"png", "exr"};
     command->pictures.lines.lines.clear();
     CLI::App* app = limn.add_subcommand("render", "Render shaded pictures of models, with or without lines, and their ingredient images");

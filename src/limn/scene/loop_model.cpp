@@ -7,6 +7,8 @@
 
 #include "limn/base/parallel.h"
 #include "limn/geometry/split_corners.h"
+#include "limn/lines/draw.h"
+#include "limn/lines/regions.h"
 #include "limn/subdivision/exact_silhouette.h"
 #include "limn/subdivision/loop_refine.h"
 #include "limn/subdivision/refined_place.h"
@@ -224,6 +226,33 @@ PreparedMesh LoopModel::fine_mesh(int levels, Need need) const
     return out;
 }
 
+std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> placed, const Camera& camera)
+{
+    std::vector<PreparedMesh> meshes;
+    std::vector<NormalAt> normals(placed.size());
+    std::vector<PlacedSurface> surfaces;
+    meshes.reserve(placed.size());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        meshes.push_back(placed[i].model->view_mesh(in_object_frame(camera, placed[i].transform), &normals[i]));
+        surfaces.push_back(meshes.back().placed(placed[i].transform));
+    }
+    LineModel lines = build_line_model(surfaces);
+    RayScene rays = build_ray_scene(lines);
+    auto view = std::make_unique<LoopView>(LoopView{std::move(lines), std::move(rays), {}});
+    view->seen = seen_scene(view->lines, view->rays);
+    if (!normals[0])
+        return view;
+    std::vector<glm::mat3> rotations;
+    for (const PlacedLoop& object : placed)
+        rotations.push_back(glm::mat3(dmat3(object.transform) / std::cbrt(std::abs(glm::determinant(dmat3(object.transform))))));
+    const std::vector<std::uint32_t>& first = view->lines.first_face;
+    view->seen.objects[0].normal_at = [first, normals = std::move(normals), rotations = std::move(rotations)](std::uint32_t face, float u, float v) {
+        const std::size_t object = std::size_t(std::upper_bound(first.begin(), first.end() - 1, face) - first.begin()) - 1;
+        return rotations[object] * normals[object](face - first[object], u, v);
+    };
+    return view;
+}
+
 int levels_for(const LoopModel& model, double error)
 {
     const double steps = std::log2(std::max(model.deviation() / error, 1.0)) / 2; // each level brings a quarter of the error
@@ -231,6 +260,15 @@ int levels_for(const LoopModel& model, double error)
     while (levels > 0 && double(model.face_count()) * std::pow(4.0, levels) > double(most_triangles))
         --levels;
     return levels;
+}
+
+int levels_for_whole(const LoopModel& model, double outline_error)
+{
+    constexpr double pixels = 2000;
+    Bounds bounds;
+    for (const dvec3& p : model.pose().corners.positions)
+        bounds.add(p);
+    return levels_for(model, outline_error * 2 * bounds.radius() / pixels);
 }
 
 } // namespace limn

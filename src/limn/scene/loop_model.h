@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,7 +56,24 @@ private:
 /// The camera as it stands to something that a similarity puts into the world.
 Camera in_object_frame(const Camera& camera, const dmat4& transform);
 
+/// A control mesh in the world.
+struct PlacedLoop {
+    std::shared_ptr<const LoopModel> model;
+    dmat4 transform = dmat4(1);
+};
+
+/// What one camera is shown of control meshes: not to be moved, for its parts look at each other.
+struct LoopView {
+    LineModel lines;
+    RayScene rays;
+    SeenScene seen; ///< with exact normals where the models' options say so
+};
+/// @param placed  in the order of objects; must outlive the result
+std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> placed, const Camera& camera);
+
 /// How many levels bring the fine mesh's error below a length; at most as many as keep it below 4 million triangles.
 int levels_for(const LoopModel& model, double error);
+/// The same for pictures of 2000 pixels that show all of the model. @param outline_error  pixels
+int levels_for_whole(const LoopModel& model, double outline_error);
 
 } // namespace limn
