@@ -153,7 +153,7 @@ SilhouetteMesh LoopModel::silhouette(const Camera& camera) const
 {
     using Silhouette = SubdivisionOptions::Silhouette;
     if (options_.silhouette == Silhouette::exact)
-        return exact_silhouette(pose_, camera, {.outline_error = options_.outline_error, .curve_points = options_.curve_points});
+        return exact_silhouette(pose_, camera, {.outline_error = options_.outline_error, .curve_points = options_.curve_points, .surface_error = options_.surface_error});
     if (seed_) {
         const Eye eye{camera.orthographic ? dvec4(-camera.forward(), 0) : dvec4(camera.eye, 1)};
         return seed_silhouette(*seed_, seed_pose_, eye, {.depth = options_.depth, .curve_points = options_.curve_points > 0 ? options_.curve_points : usual_curve_points});

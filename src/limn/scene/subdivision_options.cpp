@@ -14,6 +14,8 @@ const OptionTable<SubdivisionOptions>& subdivision_option_table()
         choice_row<Options, Silhouette>("silhouette", {{"exact", Silhouette::exact}, {"seed", Silhouette::seed}, {"off", Silhouette::off}},
                                         "how the shaded mesh is cut along the contours of the limit surface", &Options::silhouette),
         number_row<Options>("outline-error", "px", 0.01, 100, "how far outlines and lines may be from those of the limit surface", &Options::outline_error),
+        number_row<Options>("surface-error", "px", 0, 1000, "how far shaded triangles may be from the limit surface inside of outlines; 0: any distance",
+                            &Options::surface_error),
         number_row<Options>("base-levels", "", 0, 6, "subdivide the control mesh so often first", &Options::base_levels),
         number_row<Options>("depth", "", 0, 12, "steps of the seed's search for contours", &Options::depth),
         number_row<Options>("curve-points", "", 0, 64, "parts of the contour in each face; 0: as many as needed", &Options::curve_points),

@@ -14,12 +14,13 @@ struct SubdivisionOptions {
         off,   ///< the control mesh on the limit surface, as it is
     };
     enum class Normals : std::uint8_t {
-        limit,  ///< of the limit surface, for each pixel (on the processor; a GPU interpolates those of a mesh that is fine enough)
+        limit,  ///< of the limit surface, for each pixel (on the processor; a GPU interpolates those of vertices)
         vertex, ///< those of vertices, interpolated
     };
     Scheme scheme = Scheme::polygons; ///< a mesh is what it is
     Silhouette silhouette = Silhouette::exact;
     double outline_error = 0.5; ///< pixels
+    double surface_error = 1;   ///< pixels; 0: any (ExactSilhouetteOptions)
     int base_levels = 0;        ///< how often the control mesh is subdivided before anything else
     int depth = 5;              ///< of the seed's search
     int curve_points = 0;       ///< parts of the contour in each face; 0: exact: as outline_error asks; seed: 8
