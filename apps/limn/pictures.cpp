@@ -68,6 +68,8 @@ Drawing draw_view(const Stage& stage, Progress& progress)
     if (stage.command.shades_cut_meshes && !stage.models.loops.empty())
         progress.loop_view = make_loop_view(stage.models.loops, view.camera);
     stage.hooks.underlay(drawing, stage.model(progress.loop_view.get()));
+    if (stage.hooks.overlay && progress.loop_view)
+        stage.hooks.overlay(drawing, *progress.loop_view, stage.models);
     progress.times.shade += watch.lap();
     return drawing;
 }

@@ -120,9 +120,9 @@ struct Parameters {
     std::vector<dvec2> corners;
 };
 
-NormalAt exact_normals(const LimitShape& shape, SilhouetteMesh& mesh)
+NormalAt exact_normals(const LimitShape& shape, const SilhouetteMesh& mesh)
 {
-    const auto of = std::make_shared<const Parameters>(Parameters{&shape, std::move(mesh.faces), std::move(mesh.parameters)});
+    const auto of = std::make_shared<const Parameters>(Parameters{&shape, mesh.faces, mesh.parameters});
     return [of](std::uint32_t triangle, float u, float v) {
         const dvec2* corners = &of->corners[3 * triangle];
         const double b = std::clamp(double(u), 0.0, 1.0), c = std::clamp(double(v), 0.0, 1 - b);
@@ -169,13 +169,14 @@ SilhouetteMesh LoopModel::silhouette(const Camera& camera) const
     return out;
 }
 
-PreparedMesh LoopModel::view_mesh(const Camera& camera, NormalAt* exact) const
+CutMesh LoopModel::cut_mesh(const Camera& camera) const
 {
-    SilhouetteMesh mesh = silhouette(camera);
-    if (exact)
-        *exact = options_.normals == SubdivisionOptions::Normals::limit ? exact_normals(pose_.shape, mesh) : NormalAt();
+    CutMesh cut{silhouette(camera), {}, {}};
+    if (options_.normals == SubdivisionOptions::Normals::limit)
+        cut.normal_at = exact_normals(pose_.shape, cut.silhouette);
     std::vector<std::uint32_t> corner_of;
-    return split_prepared(std::move(mesh.mesh), corner_of);
+    cut.prepared = split_prepared(cut.silhouette.mesh, corner_of);
+    return cut;
 }
 
 Camera in_object_frame(const Camera& camera, const dmat4& transform)
@@ -228,20 +229,22 @@ PreparedMesh LoopModel::fine_mesh(int levels, Need need) const
 
 std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> placed, const Camera& camera)
 {
-    std::vector<PreparedMesh> meshes;
-    std::vector<NormalAt> normals(placed.size());
+    std::vector<CutMesh> meshes;
     std::vector<PlacedSurface> surfaces;
     meshes.reserve(placed.size());
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-        meshes.push_back(placed[i].model->view_mesh(in_object_frame(camera, placed[i].transform), &normals[i]));
-        surfaces.push_back(meshes.back().placed(placed[i].transform));
+    for (const PlacedLoop& object : placed) {
+        meshes.push_back(object.model->cut_mesh(in_object_frame(camera, object.transform)));
+        surfaces.push_back(meshes.back().prepared.placed(object.transform));
     }
     LineModel lines = build_line_model(surfaces);
     RayScene rays = build_ray_scene(lines);
-    auto view = std::make_unique<LoopView>(LoopView{std::move(lines), std::move(rays), {}});
+    auto view = std::make_unique<LoopView>(LoopView{std::move(lines), std::move(rays), {}, std::move(meshes)});
     view->seen = seen_scene(view->lines, view->rays);
-    if (!normals[0])
+    if (!view->meshes[0].normal_at)
         return view;
+    std::vector<NormalAt> normals;
+    for (const CutMesh& mesh : view->meshes)
+        normals.push_back(mesh.normal_at);
     std::vector<glm::mat3> rotations;
     for (const PlacedLoop& object : placed)
         rotations.push_back(glm::mat3(dmat3(object.transform) / std::cbrt(std::abs(glm::determinant(dmat3(object.transform))))));

@@ -16,6 +16,13 @@
 
 namespace limn {
 
+/// A mesh for one picture, as SubdivisionOptions::silhouette says.
+struct CutMesh {
+    SilhouetteMesh silhouette;
+    PreparedMesh prepared; ///< of the same triangles, with normals only
+    NormalAt normal_at;    ///< of the limit surface, or empty where vertices' are to be interpolated; must not outlive the LoopModel
+};
+
 /// A control mesh, ready to be shown from any side.
 class LoopModel {
 public:
@@ -31,10 +38,8 @@ public:
     /// The greatest distance of the limit surface to the middle of an edge with its ends on the limit surface.
     double deviation() const;
 
-    /// A mesh for one picture, as the options' silhouette says, with normals only.
-    /// @param camera   in the frame of the control mesh
-    /// @param exact    is given the normals of the limit surface at places of the mesh's triangles; it must not outlive the model
-    PreparedMesh view_mesh(const Camera& camera, NormalAt* exact = nullptr) const;
+    /// @param camera  in the frame of the control mesh
+    CutMesh cut_mesh(const Camera& camera) const;
 
     /// A fine mesh on the limit surface, for lines: with the limit surface's curvature, split where sharp edges are.
     /// @param levels  below the control mesh and its base levels
@@ -66,7 +71,8 @@ struct PlacedLoop {
 struct LoopView {
     LineModel lines;
     RayScene rays;
-    SeenScene seen; ///< with exact normals where the models' options say so
+    SeenScene seen;              ///< with exact normals where the models' options say so
+    std::vector<CutMesh> meshes; ///< per object, in its own frame
 };
 /// @param placed  in the order of objects; must outlive the result
 std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> placed, const Camera& camera);
