@@ -209,7 +209,7 @@ std::string errors_text(const MarkdownTable& errors)
 std::string peers_text(const Peers& peers)
 {
     const auto how = [](const std::optional<std::string>& found) { return found ? "" : " (not found: no numbers)"; };
-    return fmt::format("Peers run on one thread as programs of their own, `cgal_loop`{}, `opensubdiv_levels`{} and `opensubdiv_limit`{}: built with `-DLIMN_BENCH=ON -DLIMN_PEERS=ON`, and found "
+    return fmt::format("Peers run on one thread as programs of their own, `cgal_loop`{}, `opensubdiv_levels`{} and `opensubdiv_limit`{}: built with `-DLIMN_BENCH=ON -DLIMN_PEERS=ON`, with limn's way to get memory, and found "
                        "in the folder `bench` beside `limn`, or on the PATH.",
                        how(peers.cgal), how(peers.opensubdiv), how(peers.limit));
 }
