@@ -55,6 +55,8 @@ TEST(LoopLimit, OfOneCornerIsThatOfTheWholeMesh)
     meshes.emplace_back("no tangent planes", Mesh());
     meshes.back().second.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     meshes.back().second.triangles = {{0, 1, 2}, {0, 2, 1}};
+    meshes.emplace_back("vertex without faces", octahedron());
+    meshes.back().second.positions.push_back({5, 6, 7});
     for (const CreaseRule rule : every_rule)
         for (const auto& [name, mesh] : meshes)
             for (const int levels : {0, 2}) {
@@ -64,6 +66,13 @@ TEST(LoopLimit, OfOneCornerIsThatOfTheWholeMesh)
                 limit_surface(fine.topology, fine.positions, rule, limit);
                 const std::vector<dvec3> positions = limit_positions(fine.topology, fine.positions, rule);
                 ASSERT_TRUE(positions == limit.positions) << name;
+                LimitSurface kept;
+                LimitStep(fine.topology, rule).apply(fine.topology, fine.positions, kept);
+                ASSERT_TRUE(kept.positions == limit.positions && kept.normals == limit.normals && kept.vertex_normals == limit.vertex_normals) << name;
+                for (std::uint32_t v = 0; v < fine.topology.vertex_count(); ++v) {
+                    const std::uint32_t h = fine.topology.leaving[v];
+                    ASSERT_EQ(limit.vertex_normals[v], h == none ? dvec3(0) : limit.normals[h]) << name << ", vertex " << v;
+                }
                 for (std::uint32_t h = 0; h < fine.topology.twin.size(); ++h) {
                     const LimitPoint point = limit_point(fine.topology, fine.positions, h, rule);
                     ASSERT_EQ(point.position, limit.positions[fine.topology.start(h)]) << name << ", half-edge " << h;
