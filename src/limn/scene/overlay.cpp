@@ -30,8 +30,8 @@ Style overlay_style()
     style.line(of_edges) = {thin, vec3(0.1f, 0.35f, 1), 1};
     style.line(of_normals) = {thin, vec3(0, 0.7f, 0.2f), 1};
     style.line(of_triangles) = {thin, vec3(0.9f, 0.1f, 0.1f), 1};
-    style.line(of_curves) = {bold, vec3(1), 1};
-    style.line(of_crossings) = {4 * bold, vec3(1, 0, 1), 1};
+    style.line(of_curves) = {bold, vec3(0, 0.75f, 0.85f), 1};
+    style.line(of_crossings) = {2.5 * bold, vec3(1, 0, 1), 1};
     return style;
 }
 
