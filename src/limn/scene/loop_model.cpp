@@ -113,6 +113,13 @@ PreparedMesh split_prepared(Mesh mesh, std::vector<std::uint32_t>& corner_of)
     return out;
 }
 
+double distance_to_segment(const dvec3& p, const dvec3& a, const dvec3& b)
+{
+    const dvec3 along = b - a;
+    const double square = glm::dot(along, along), t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
+    return glm::distance(p, a + t * along);
+}
+
 /// What NormalAt reads of a silhouette mesh.
 struct Parameters {
     const LimitShape* shape;
@@ -132,6 +139,16 @@ NormalAt exact_normals(const LimitShape& shape, const SilhouetteMesh& mesh)
 }
 
 } // namespace
+
+LoopModel::Refined LoopModel::refined(int levels) const
+{
+    Refined mesh{table_.control(), positions_};
+    for (int i = 0; i < levels; ++i) {
+        mesh.positions = refine_positions(mesh.topology, mesh.positions);
+        mesh.topology = refine(mesh.topology);
+    }
+    return mesh;
+}
 
 LoopModel::LoopModel(const Mesh& mesh, const SubdivisionOptions& options)
     : options_(options), base_levels_(base_levels_of(options)), table_([&] {
@@ -191,30 +208,30 @@ Camera in_object_frame(const Camera& camera, const dmat4& transform)
     return out;
 }
 
-double LoopModel::deviation() const
+double LoopModel::deviation(int levels) const
 {
-    const LoopTopology& t = table_.control();
-    double most = 0;
-    for (std::uint32_t e = 0; e < t.edge_count(); ++e) {
+    constexpr double share = 0.99; // of edges
+    const Refined mesh = refined(levels);
+    const LoopTopology& t = mesh.topology;
+    const std::vector<dvec3> fine = refine_positions(t, mesh.positions);
+    const std::vector<dvec3> limit = limit_positions(refine(t), fine);
+    std::vector<double> distances(t.edge_count());
+    parallel_each(distances.size(), grain, [&](std::size_t e) {
         const std::uint32_t h = t.half_edge[e];
-        const dvec3 chord = 0.5 * (pose_.corners.positions[t.start(h)] + pose_.corners.positions[t.end(h)]);
-        most = std::max(most, glm::distance(chord, pose_.middles[e]));
-    }
-    return most;
+        distances[e] = distance_to_segment(limit[t.vertex_count() + e], limit[t.start(h)], limit[t.end(h)]);
+    });
+    const auto at = distances.begin() + std::ptrdiff_t(share * double(distances.size() - 1));
+    std::nth_element(distances.begin(), at, distances.end());
+    return *at;
 }
 
 PreparedMesh LoopModel::fine_mesh(int levels, Need need) const
 {
-    LoopTopology topology = table_.control();
-    std::vector<dvec3> positions = positions_;
-    for (int i = 0; i < levels; ++i) {
-        positions = refine_positions(topology, positions);
-        topology = refine(topology);
-    }
-    LimitSurface limit = limit_surface(topology, positions);
+    Refined fine = refined(levels);
+    LimitSurface limit = limit_surface(fine.topology, fine.positions);
     Mesh mesh;
     mesh.positions = std::move(limit.positions);
-    mesh.triangles = std::move(topology.triangles);
+    mesh.triangles = std::move(fine.topology.triangles);
     mesh.corner_normals.assign(limit.normals.begin(), limit.normals.end());
     std::vector<std::uint32_t> corner_of;
     PreparedMesh out = split_prepared(std::move(mesh), corner_of);
@@ -258,11 +275,17 @@ std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> place
 
 int levels_for(const LoopModel& model, double error)
 {
-    const double steps = std::log2(std::max(model.deviation() / error, 1.0)) / 2; // each level brings a quarter of the error
-    int levels = int(std::ceil(steps));
-    while (levels > 0 && double(model.face_count()) * std::pow(4.0, levels) > double(most_triangles))
-        --levels;
-    return levels;
+    int levels = 0;
+    for (;;) {
+        const double found = model.deviation(levels);
+        if (found <= error)
+            return levels;
+        // A level brings a quarter of the error, but less than that while semi-sharp edges wear off: so it is measured again.
+        const int more = std::max(1, int(std::ceil(std::log2(found / error) / 2)));
+        for (int i = 0; i < more; ++i, ++levels)
+            if (double(model.face_count()) * std::pow(4.0, levels + 1) > double(most_triangles))
+                return levels;
+    }
 }
 
 int levels_for_whole(const LoopModel& model, double outline_error)

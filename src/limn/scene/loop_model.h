@@ -35,8 +35,9 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
     std::size_t face_count() const { return table_.control().triangles.size(); }
     int base_levels() const { return base_levels_; }
-    /// The greatest distance of the limit surface to the middle of an edge with its ends on the limit surface.
-    double deviation() const;
+    /// How far edges with their ends on the limit surface, in the mesh so many levels down, are from the surface at their middles: 99 in 100 of them
+    /// at most. (Where creases end the surface has points like that of a cone; edges there get no nearer than in proportion to their length.)
+    double deviation(int levels = 0) const;
 
     /// @param camera  in the frame of the control mesh
     CutMesh cut_mesh(const Camera& camera) const;
@@ -46,6 +47,11 @@ public:
     PreparedMesh fine_mesh(int levels, Need need) const;
 
 private:
+    struct Refined {
+        LoopTopology topology;
+        std::vector<dvec3> positions;
+    };
+    Refined refined(int levels) const;
     SilhouetteMesh silhouette(const Camera& camera) const;
 
     SubdivisionOptions options_;
@@ -77,7 +83,7 @@ struct LoopView {
 /// @param placed  in the order of objects; must outlive the result
 std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> placed, const Camera& camera);
 
-/// How many levels bring the fine mesh's error below a length; at most as many as keep it below 4 million triangles.
+/// How many levels bring LoopModel::deviation below a length; at most as many as keep the fine mesh below 4 million triangles.
 int levels_for(const LoopModel& model, double error);
 /// The same for pictures of 2000 pixels that show all of the model. @param outline_error  pixels
 int levels_for_whole(const LoopModel& model, double outline_error);
