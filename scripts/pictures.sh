@@ -55,3 +55,23 @@ cage level-0 docs/pawn.obj --shading flat --crease-angle 1
 cage level-1 "$models/once.obj" --shading flat --crease-angle 1
 cage level-limit "$models/limit.obj"
 montage "$models"/level-{0,1,limit}.png -tile 3x -geometry +2+2 docs/images/subdivision.png
+
+for shape in creature rook mug bracket leaf bent-cylinder; do
+    build/limn sample "$shape" --quiet -o "$models/$shape.obj"
+    build/limn subdivide "$models/$shape.obj" --levels 4 --limit --quiet -o "$models/$shape-limit.obj"
+    build/limn render "$models/$shape-limit.obj" --quiet --size 320x280 --view 35,25 -o "$models/$shape.png"
+done
+montage "$models"/{creature,rook,mug,bracket,leaf,bent-cylinder}.png -tile 3x -geometry +2+2 docs/images/control-samples.png
+
+for space in object tangent; do
+    build/limn subdivide docs/pawn.obj --normal-map "$models/map-$space.png" --map-size 512 --space "$space" --quiet -o "$models/mapped.obj"
+done
+montage "$models"/map-{object,tangent}.png -tile 2x -geometry +2+2 docs/images/normal-map.png
+
+if command -v blender >/dev/null; then
+    build/limn subdivide "$models/mug.obj" --levels 0 --limit --quiet -o "$models/mug-0.obj"
+    build/limn subdivide "$models/mug.obj" --normal-map "$models/mug-map.png" --map-size 2048 --space tangent --quiet -o "$models/mug-map.obj"
+    blender -b -noaudio -P bench/peers/blender_normal_map.py -- "$models/mug-0.obj,,,$models/in-blender-0.png" \
+        "$models/mug-map.obj,$models/mug-map.png,tangent,$models/in-blender-1.png" "$models/mug-limit.obj,,,$models/in-blender-2.png" >/dev/null
+    montage "$models"/in-blender-{0,1,2}.png -tile 3x -geometry +2+2 docs/images/normal-map-in-blender.png
+fi

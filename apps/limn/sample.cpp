@@ -9,7 +9,9 @@
 #include "limn/base/file.h"
 #include "limn/base/nearest.h"
 #include "limn/base/parallel.h"
+#include "limn/geometry/diagnose.h"
 #include "limn/geometry/write_mesh.h"
+#include "limn/subdivision/control_samples.h"
 #include "limn/surface/shapes.h"
 #include "subcommand.h"
 #include "table_options.h"
@@ -25,6 +27,7 @@ const std::vector<std::string> formats = {"ply", "obj", "stl", "glb"};
 constexpr const char* examples = R"(Examples:
   limn sample torus -o torus.ply
   limn sample bumpy-torus --triangles 1000000 --double -o bumpy.ply
+  limn sample creature -o creature.obj
   limn sample blob --jitter 0.2 --noise 0.001 --seed 7 -o scan.stl
   limn sample knot -o - --to ply | limn draw - -o knot.svg)";
 
@@ -33,14 +36,49 @@ struct SampleCommand {
     ShapeOptions shape;
 };
 
+bool is_control_mesh(const std::string& name)
+{
+    const std::vector<std::string>& known = control_sample_names();
+    return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+std::vector<std::string> every_name()
+{
+    std::vector<std::string> names = shape_names();
+    names.insert(names.end(), control_sample_names().begin(), control_sample_names().end());
+    return names;
+}
+
 void check_name(const std::string& name)
 {
-    const std::vector<std::string>& known = shape_names();
+    const std::vector<std::string> known = every_name();
+    if (name.empty())
+        throw Error::Input("no shape given; known: " + join(known, ", "));
     if (std::find(known.begin(), known.end(), name) != known.end())
         return;
     const std::string guess = nearest(name, known);
     throw Error::Input(fmt::format("'{}' is no shape; {}", name,
                                    guess.empty() ? "known: " + join(known, ", ") : fmt::format("did you mean '{}'?", guess)));
+}
+
+/// Control meshes are as they are; only the rounding of their positions can be chosen.
+Shape make_control_shape(const CLI::App& app, const std::string& name)
+{
+    Shape shape;
+    shape.mesh = make_control_sample(name);
+    for (const OptionRow<ShapeOptions>& row : shape_option_table())
+        if (row.name != "double" && app.count("--" + row.name) > 0)
+            throw Error::Input(fmt::format("--{}: '{}' is a control mesh of {} triangles, and stays as it is", row.name, name, shape.mesh.triangles.size()));
+    shape.closed = diagnose(shape.mesh).closed;
+    return shape;
+}
+
+/// What a format cannot hold.
+std::vector<std::string> lost_creases(const Mesh& mesh, const Output& output)
+{
+    if (mesh.creases.empty() || output.format == "obj")
+        return {};
+    return {counted(mesh.creases.size(), "crease") + " left out, which only OBJ can hold"};
 }
 
 std::string sample_report(const SampleCommand& command, const Shape& shape, double seconds)
@@ -56,11 +94,9 @@ std::string sample_report(const SampleCommand& command, const Shape& shape, doub
     return json.dump(2) + "\n";
 }
 
-void run(SampleCommand& command)
+void run(const CLI::App& app, SampleCommand& command)
 {
     const Stopwatch watch;
-    if (command.shape.name.empty())
-        throw Error::Input("no shape given; known: " + join(shape_names(), ", "));
     check_name(command.shape.name);
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     if (outputs.empty() && !command.common.json)
@@ -68,12 +104,19 @@ void run(SampleCommand& command)
     check_cpu_only(command.common, "sample");
     Console console(command.common.quiet);
     console.progress("making the shape", 0);
-    const Shape shape = make_shape(command.shape);
+    const Shape shape = is_control_mesh(command.shape.name) ? make_control_shape(app, command.shape.name) : make_shape(command.shape);
+    Warnings warnings;
+    for (const Output& output : outputs)
+        warnings.add(output.path, lost_creases(shape.mesh, output));
+    if (command.common.strict && !warnings.empty())
+        throw Error::Read(warnings.line() + " (--strict)");
     console.progress("writing", 0.8);
     for (const Output& output : outputs)
         write_mesh(shape.mesh, output.path, {.format = output.format, .double_positions = !command.shape.float_positions});
     if (command.common.json)
         write_file("-", sample_report(command, shape, watch.total()));
+    if (!warnings.empty())
+        console.warn(warnings.line());
     console.finish(fmt::format("{}: {}, {}, {}", what_was_written(command.common.outputs), counted(shape.mesh.triangles.size(), "triangle"),
                                shape.mesh.positions.size() == 1 ? "1 vertex" : with_thousands(shape.mesh.positions.size()) + " vertices",
                                seconds_text(watch.total())));
@@ -87,8 +130,8 @@ Subcommand add_sample(CLI::App& limn)
     command->shape.name.clear();
     CLI::App* app = limn.add_subcommand("sample", "Write a generated model");
     app->footer(examples);
-    app->add_option("NAME", command->shape.name, join(shape_names(), ", "));
+    app->add_option("NAME", command->shape.name, join(every_name(), ", "));
     add_table_options(*app, shape_option_table(), command->shape, "Shape");
     add_common_options(*app, command->common, "file to write; may be given several times: ply, obj, stl, glb; '-' is standard output");
-    return {app, [command] { with_threads(command->common.threads, [&] { run(*command); }); }};
+    return {app, [app, command] { with_threads(command->common.threads, [&] { run(*app, *command); }); }};
 }

@@ -1,8 +1,13 @@
+#include <cstring>
+
 #include <gtest/gtest.h>
 
 #include "command/command.h"
 #include "console.h"
+#include "limn/drawing/png.h"
 #include "limn/geometry/read_mesh.h"
+#include "limn/geometry/write_mesh.h"
+#include "limn/subdivision/control_samples.h"
 
 namespace limn::test {
 namespace {
@@ -143,6 +148,78 @@ TEST_F(SubdivideCommand, WritesTheSameBytesForAnyNumberOfThreads)
         subdivided(options + " --threads 4 -o " + path("four.ply"), "torus.obj");
         EXPECT_TRUE(read_text(path("one.ply")) == read_text(path("four.ply"))) << options;
     }
+    for (const std::string threads : {"1", "4"})
+        subdivided("--space tangent --map-size 256 --normal-map " + path(threads + ".png") + " --threads " + threads + " -o " + path(threads + ".glb"));
+    EXPECT_TRUE(read_text(path("1.png")) == read_text(path("4.png")) && read_text(path("1.glb")) == read_text(path("4.glb")));
+}
+
+/// The JSON chunk of a .glb file.
+nlohmann::json glb_document(const std::string& bytes)
+{
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 12, 4);
+    return nlohmann::json::parse(bytes.substr(20, length));
+}
+
+TEST_F(SubdivideCommand, WritesANormalMapWithTheMeshThatUsesIt)
+{
+    const ProgramResult result = subdivided("--normal-map " + path("map.png") + " --map-size 256 --json -o " + path("a.obj") + " -o " + path("a.glb"));
+    const auto report = nlohmann::json::parse(result.output);
+    EXPECT_EQ(report["triangles"], 8);
+    EXPECT_EQ(report["levels"], 0);
+    EXPECT_EQ(report["options"]["limit"], "yes");
+    EXPECT_EQ(report["normal_map"]["charts"], 4);
+    EXPECT_EQ(report["normal_map"]["clean_mip_levels"], 2);
+    EXPECT_GT(report["normal_map"]["fill"], 0.3);
+    EXPECT_NE(result.errors.find("0 levels; " + path("map.png") + " of 256 x 256 texels, 4 charts, "), std::string::npos) << result.errors;
+    const Image map = read_png(path("map.png"));
+    EXPECT_EQ(map.size(), ivec2(256, 256));
+    EXPECT_EQ(map.channels, 3);
+    const Mesh mesh = read_mesh(path("a.obj"), {.cache_order = false});
+    EXPECT_NEAR(mesh.positions[0].x, 24.0 / 55, 1e-6);
+    ASSERT_EQ(mesh.corner_uvs.size(), 24u);
+    for (std::size_t f = 0; f < 8; ++f) { // in the middle of a face the octahedron's normal is the diagonal
+        const vec2 uv = (mesh.corner_uvs[3 * f] + mesh.corner_uvs[3 * f + 1] + mesh.corner_uvs[3 * f + 2]) / 3.0f;
+        const float* texel = map.at(int(uv.x * 256), int((1 - uv.y) * 256));
+        const vec3 corners = mesh.corner_normals[3 * f] + mesh.corner_normals[3 * f + 1] + mesh.corner_normals[3 * f + 2];
+        EXPECT_GT(glm::dot(glm::normalize(2.0f * vec3(texel[0], texel[1], texel[2]) - 1.0f), glm::normalize(corners)), 0.999f) << f;
+    }
+    EXPECT_EQ(glb_document(read_text(path("a.glb"))).count("materials"), 0u); // glTF knows no maps in object space
+}
+
+TEST_F(SubdivideCommand, PutsATangentSpaceMapIntoGlTf)
+{
+    subdivided("--normal-map " + path("map.png") + " --map-size 64 --space tangent --levels 1 -o " + path("a.glb"));
+    const std::string bytes = read_text(path("a.glb")), png = read_text(path("map.png"));
+    const auto document = glb_document(bytes);
+    EXPECT_EQ(document["meshes"][0]["primitives"][0]["material"], 0);
+    EXPECT_EQ(document["materials"][0]["normalTexture"]["index"], 0);
+    const auto& view = document["bufferViews"][std::size_t(document["images"][0]["bufferView"])];
+    const std::size_t binary = bytes.size() - std::size_t(document["buffers"][0]["byteLength"]);
+    EXPECT_EQ(bytes.substr(binary + std::size_t(view["byteOffset"]), view["byteLength"]), png);
+    EXPECT_EQ(bytes.size() % 4, 0u);
+    EXPECT_EQ(read_mesh(path("a.glb")).triangles.size(), 32u);
+}
+
+TEST_F(SubdivideCommand, WritesMapsAsAsked)
+{
+    const auto map = [&](const std::string& arguments) {
+        subdivided("--normal-map " + path("map.png") + " --map-size 64 " + arguments + " -o " + path("a.ply"));
+        return read_png(path("map.png"));
+    };
+    const Image plain = map(""), deep = map("--map-bits 16"), transparent = map("--map-alpha");
+    EXPECT_EQ(transparent.channels, 4);
+    EXPECT_NE(plain.samples, deep.samples);
+    for (std::size_t i = 0; i < plain.samples.size(); ++i)
+        EXPECT_NEAR(plain.samples[i], deep.samples[i], 0.002);
+    const auto covered = [](const Image& image) {
+        double sum = 0;
+        for (std::size_t i = 3; i < image.samples.size(); i += 4)
+            sum += image.samples[i];
+        return sum;
+    };
+    EXPECT_GT(covered(transparent), 1.2 * covered(map("--map-alpha --map-charts triangles")));
+    EXPECT_GT(covered(transparent), 1.2 * covered(map("--map-alpha --map-gap 16")));
 }
 
 TEST_F(SubdivideCommand, MeetsTheNumbersOfItsManual)
@@ -151,6 +228,12 @@ TEST_F(SubdivideCommand, MeetsTheNumbersOfItsManual)
     EXPECT_EQ(report["triangles"], 2560);
     EXPECT_NEAR(report["error"]["measured"], 0.0041, 0.00005);
     EXPECT_TRUE(report["warnings"].empty());
+    write_mesh(make_control_sample("mug"), path("mug.obj"));
+    for (const auto& [charts, fill] : {std::pair("triangles", 0.37), std::pair("pairs", 0.71)}) {
+        const auto mapped = nlohmann::json::parse(subdivided("--normal-map " + path("map.png") + " --json -o " + path("a.obj") + " --map-charts " + charts, "mug.obj").output);
+        EXPECT_EQ(mapped["triangles"], 348);
+        EXPECT_NEAR(mapped["normal_map"]["fill"], fill, 0.005) << charts;
+    }
 }
 
 TEST_F(SubdivideCommand, RefusesWhatItCannotDo)
@@ -167,6 +250,15 @@ TEST_F(SubdivideCommand, RefusesWhatItCannotDo)
     expect_refused(cage + out + " --crease-rule loop", 2, "--crease-rule: 'loop' is none of opensubdiv|hoppe|biermann");
     expect_refused(cage + out + " --device gpu", 1, "'limn subdivide' computes on the CPU only");
     expect_refused(path("missing.obj") + out, 1, "No such file");
+    const std::string map = " --normal-map " + path("map.png");
+    expect_refused(cage + map + " --json", 2, "--normal-map: the map belongs to a mesh with its texture coordinates; give -o FILE (obj, ply, glb) too");
+    expect_refused(cage + map + " -o " + path("a.stl"), 2, "is STL, which holds no texture coordinates; take obj, ply or glb");
+    expect_refused(cage + out + " --normal-map " + path("map.jpg"), 2, "map.jpg' is no PNG file; its name must end in .png");
+    expect_refused(cage + out + map + " --limit=no", 2, "--normal-map puts the mesh on the limit surface; leave out --limit=no");
+    expect_refused(cage + out + map + " --crease-rule hoppe", 2, "--normal-map: normals inside faces are known under --crease-rule opensubdiv only");
+    expect_refused(cage + out + map + " --map-gap 3", 2, "--map-gap: '3' is none of 2|4|8|16|32|64");
+    expect_refused(cage + out + map + " --map-size 16 --map-gap 64", 2, "4 charts with gaps of 64 texels do not fit into a map of 16 x 16; make it larger");
+    expect_refused(cage + out + " --map-size 64", 2, "--map-size is for a map; give --normal-map FILE.png too");
     write_text(folder_ / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
     expect_refused(path("points.obj") + out, 1, "holds no face");
     write_text(folder_ / "nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

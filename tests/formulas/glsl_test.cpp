@@ -15,6 +15,7 @@ float window_depth(const ivec2 p) { return 0.0f; }
 float nearness(const ivec2 p) { return 0.0f; }
 vec3 normal_at(const ivec2 p) { return vec3(0.0f); }
 uint id_at(const ivec2 p) { return 0u; }
+uint vector_at(const ivec2 p) { return 0u; }
 )";
 
 /// The text that a driver would get, with what the file includes.

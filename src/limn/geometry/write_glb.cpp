@@ -74,6 +74,23 @@ json position_accessor(const std::vector<vec3>& positions)
     return {{"componentType", type_float}, {"type", "VEC3"}, {"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}};
 }
 
+/// A material whose normals come from a PNG file within the binary chunk.
+void add_normal_texture(Chunks& chunks, const std::string& png)
+{
+    constexpr int linear = 9729, linear_mipmap_linear = 9987, clamp_to_edge = 33071; // glTF 2.0, section 5.26
+    const std::size_t offset = chunks.binary.size();
+    if (offset + png.size() > std::numeric_limits<std::uint32_t>::max() - 65536)
+        throw Error::Input("the mesh and its normal map are too large for a glTF binary file, which holds 4 GiB at most");
+    chunks.binary += png;
+    chunks.binary.resize((chunks.binary.size() + 3) / 4 * 4, '\0');
+    chunks.document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", png.size()}});
+    chunks.document["images"] = {{{"bufferView", chunks.document["bufferViews"].size() - 1}, {"mimeType", "image/png"}}};
+    chunks.document["samplers"] = {{{"magFilter", linear}, {"minFilter", linear_mipmap_linear}, {"wrapS", clamp_to_edge}, {"wrapT", clamp_to_edge}}};
+    chunks.document["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    chunks.document["materials"] = {{{"normalTexture", {{"index", 0}}}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.5}}}}};
+    chunks.document["meshes"][0]["primitives"][0]["material"] = 0;
+}
+
 } // namespace
 
 std::string glb_bytes(const Mesh& mesh, const WriteMeshOptions& options)
@@ -107,9 +124,11 @@ std::string glb_bytes(const Mesh& mesh, const WriteMeshOptions& options)
                                            });
     const std::size_t indices = chunks.add(split.corner.size(), 4, {{"componentType", type_uint}, {"type", "SCALAR"}}, target_indices,
                                            [&](char* at, std::size_t i) { put(at, split.corner[i]); });
+    chunks.document["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"mode", 4}}}}}};
+    if (!options.normal_texture.empty())
+        add_normal_texture(chunks, options.normal_texture);
     chunks.document["asset"] = {{"version", "2.0"}, {"generator", "Limn"}};
     chunks.document["buffers"] = {{{"byteLength", chunks.binary.size()}}};
-    chunks.document["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"mode", 4}}}}}};
     chunks.document["nodes"] = {{{"mesh", 0}}};
     chunks.document["scenes"] = {{{"nodes", {0}}}};
     chunks.document["scene"] = 0;
