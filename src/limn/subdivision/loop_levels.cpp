@@ -1,6 +1,7 @@
 #include "limn/subdivision/loop_levels.h"
 
 #include "limn/base/parallel.h"
+#include "limn/subdivision/loop_walk.h"
 
 namespace limn {
 namespace {
@@ -10,36 +11,34 @@ constexpr std::size_t grain = 4096;
 /// Fills the ring of a smooth vertex in the order of its spokes. @return false where it has not six
 bool fill_ring(const LoopTopology& t, std::uint32_t v, std::array<std::uint32_t, 6>& ring)
 {
-    const std::uint32_t first = t.leaving[v];
-    std::uint32_t h = first;
     std::size_t valence = 0;
-    do {
+    const bool came_round = walk_around(t, v, [&](std::uint32_t neighbour) {
         if (valence == ring.size())
             return false;
-        ring[valence++] = t.end(h);
-        h = t.twin[previous_half_edge(h)];
-    } while (h != first);
-    return valence == ring.size();
+        ring[valence++] = neighbour;
+        return true;
+    });
+    return came_round && valence == ring.size();
 }
 
 } // namespace
 
 PositionStep::PositionStep(const LoopTopology& t, CreaseRule rule) : rule_(rule), rings_(t.vertex_count()), edges_(t.edge_count())
 {
-    const std::vector<std::uint8_t> sharp = vertices_at_sharp_edges(t);
+    const std::vector<std::uint8_t> creased = creased_vertices(t);
     other_vertices_ = parallel_collect<std::uint32_t>(t.vertex_count(), grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) {
         for (std::uint32_t v = std::uint32_t(begin); v < end; ++v)
-            if (t.leaving[v] == none || sharp[v] != 0 || !fill_ring(t, v, rings_[v])) {
+            if (t.leaving[v] == none || creased[v] != 0 || !fill_ring(t, v, rings_[v])) {
                 rings_[v].fill(v);
                 out.push_back(v);
             }
     });
     for (const std::uint32_t v : other_vertices_)
-        at_sharp_.push_back(sharp[v]);
+        creased_.push_back(creased[v]);
     other_edges_ = parallel_collect<std::uint32_t>(t.edge_count(), grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) {
         for (std::uint32_t e = std::uint32_t(begin); e < end; ++e) {
             const std::uint32_t h = t.half_edge[e];
-            if (has_smooth_mask(t, sharp, e, rule)) {
+            if (has_smooth_mask(t, creased, e, rule)) {
                 edges_[e] = {t.start(h), t.end(h), t.opposite(h), t.opposite(t.twin[h])};
             } else {
                 edges_[e] = uvec4(t.start(h));
@@ -70,7 +69,7 @@ void PositionStep::apply(const LoopTopology& t, std::span<const dvec3> p, std::s
             const std::uint32_t v = other_vertices_[i];
             if (t.leaving[v] == none) {
                 out[v] = p[v];
-            } else if (at_sharp_[i] == 0) {
+            } else if (creased_[i] == 0) {
                 out[v] = moved_smooth_vertex(t, p, v, masks_);
             } else {
                 t.gather(v, spokes);

@@ -25,7 +25,7 @@ private:
     std::vector<std::array<std::uint32_t, 6>> rings_; ///< per vertex, where it is smooth and of valence 6
     std::vector<uvec4> edges_;                        ///< per edge, where it is smooth: start, end, left, right
     std::vector<std::uint32_t> other_vertices_, other_edges_;
-    std::vector<std::uint8_t> at_sharp_;              ///< per other vertex
+    std::vector<std::uint8_t> creased_;               ///< per other vertex
 };
 
 /// The positions of all levels, of the control mesh first.

@@ -4,6 +4,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/subdivision/loop_walk.h"
 
 namespace limn {
 namespace {
@@ -71,8 +72,9 @@ dvec3 smooth_edge_point(const LoopTopology& t, std::span<const dvec3> p, std::ui
     constexpr EdgeMask mask;
     const std::uint32_t h = t.half_edge[e], over = t.twin[h], f = h / 3, k = h - 3 * f, g = over / 3, l = over - 3 * g;
     const uvec3 &ours = t.triangles[f], &theirs = t.triangles[g];
-    const int next = k == 2 ? 0 : int(k) + 1, last = k == 0 ? 2 : int(k) - 1, far = l == 0 ? 2 : int(l) - 1;
-    return mask.start * p[ours[int(k)]] + mask.end * p[ours[next]] + mask.left * p[ours[last]] + mask.right * p[theirs[far]];
+    const std::uint32_t start = k == 0 ? ours.x : k == 1 ? ours.y : ours.z, end = k == 0 ? ours.y : k == 1 ? ours.z : ours.x;
+    const std::uint32_t left = k == 0 ? ours.z : k == 1 ? ours.x : ours.y, right = l == 0 ? theirs.z : l == 1 ? theirs.x : theirs.y;
+    return mask.start * p[start] + mask.end * p[end] + mask.left * p[left] + mask.right * p[right];
 }
 
 } // namespace
@@ -129,31 +131,29 @@ dvec3 moved_vertex(const Spokes& spokes, std::span<const dvec3> p, const dvec3& 
 
 dvec3 moved_smooth_vertex(const LoopTopology& t, std::span<const dvec3> p, std::uint32_t v, const SmoothVertexMasks& masks)
 {
-    const std::uint32_t first = t.leaving[v];
     dvec3 sum(0);
     std::size_t valence = 0;
-    std::uint32_t h = first;
-    do { // a border would be sharp: the ring is closed
-        sum += p[t.end(h)];
+    walk_around(t, v, [&](std::uint32_t neighbour) {
+        sum += p[neighbour];
         ++valence;
-        h = t.twin[previous_half_edge(h)];
-    } while (h != first);
+        return true;
+    });
     const VertexMask mask = masks.of(valence);
     return mask.self * p[v] + mask.each * sum;
 }
 
-bool has_smooth_mask(const LoopTopology& t, std::span<const std::uint8_t> at_sharp, std::uint32_t e, CreaseRule rule)
+bool has_smooth_mask(const LoopTopology& t, std::span<const std::uint8_t> creased, std::uint32_t e, CreaseRule rule)
 {
-    if (t.sharpness[e] > 0)
+    if (t.sharpness[e] > 0 || t.is_border(e))
         return false;
     const std::uint32_t h = t.half_edge[e];
-    return rule != CreaseRule::biermann || at_sharp[t.start(h)] == at_sharp[t.end(h)];
+    return rule != CreaseRule::biermann || (creased[t.start(h)] == 0 && creased[t.end(h)] == 0);
 }
 
 std::vector<dvec3> refine_positions(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
 {
     const std::size_t vertices = t.vertex_count();
-    const std::vector<std::uint8_t> sharp = vertices_at_sharp_edges(t);
+    const std::vector<std::uint8_t> creased = creased_vertices(t);
     const SmoothVertexMasks masks;
     std::vector<dvec3> out(vertices + t.edge_count());
     parallel_blocks(vertices, grain, [&](std::size_t begin, std::size_t end) {
@@ -161,7 +161,7 @@ std::vector<dvec3> refine_positions(const LoopTopology& t, std::span<const dvec3
         for (std::uint32_t v = std::uint32_t(begin); v < end; ++v)
             if (t.leaving[v] == none) {
                 out[v] = positions[v];
-            } else if (sharp[v] == 0) {
+            } else if (creased[v] == 0) {
                 out[v] = moved_smooth_vertex(t, positions, v, masks);
             } else {
                 t.gather(v, spokes);
@@ -170,7 +170,7 @@ std::vector<dvec3> refine_positions(const LoopTopology& t, std::span<const dvec3
     });
     parallel_each(t.edge_count(), grain, [&](std::size_t i) {
         const std::uint32_t e = std::uint32_t(i);
-        out[vertices + i] = has_smooth_mask(t, sharp, e, rule) ? smooth_edge_point(t, positions, e) : edge_point(t, positions, e, rule);
+        out[vertices + i] = has_smooth_mask(t, creased, e, rule) ? smooth_edge_point(t, positions, e) : edge_point(t, positions, e, rule);
     });
     return out;
 }

@@ -24,10 +24,11 @@ std::vector<dvec3> refine_positions(const LoopTopology& topology, std::span<cons
 dvec3 edge_point(const LoopTopology& topology, std::span<const dvec3> positions, std::uint32_t e, CreaseRule rule);
 /// And that of an old vertex. @param spokes  those of the vertex
 dvec3 moved_vertex(const Spokes& spokes, std::span<const dvec3> positions, const dvec3& position);
-/// The same for a vertex with no sharp edge around it, without gathering them.
+/// The same for a vertex with faces but no sharp edge or border, without gathering its edges.
 dvec3 moved_smooth_vertex(const LoopTopology& topology, std::span<const dvec3> positions, std::uint32_t vertex, const SmoothVertexMasks& masks);
-/// Whether the mask of an edge is that of a smooth edge between smooth vertices. @param at_sharp  vertices_at_sharp_edges
-bool has_smooth_mask(const LoopTopology& topology, std::span<const std::uint8_t> at_sharp, std::uint32_t e, CreaseRule rule);
+/// Whether it is known without a look at rings that an edge has the mask of a smooth edge between smooth vertices.
+/// @param creased  creased_vertices of the topology
+bool has_smooth_mask(const LoopTopology& topology, std::span<const std::uint8_t> creased, std::uint32_t e, CreaseRule rule);
 
 /// What is interpolated along faces, not smoothed: values at their corners (3 per triangle), such as texture coordinates. Old ones stay, new
 /// ones are in the middle of edges.

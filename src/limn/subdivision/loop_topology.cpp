@@ -209,13 +209,13 @@ bool LoopTopology::is_at_sharp_edge(std::uint32_t vertex) const
     return false;
 }
 
-std::vector<std::uint8_t> vertices_at_sharp_edges(const LoopTopology& t)
+std::vector<std::uint8_t> creased_vertices(const LoopTopology& t)
 {
     constexpr std::size_t grain = 1 << 14;
     std::vector<std::uint8_t> marks(t.vertex_count(), 0);
     const auto mark = [&](std::uint32_t v) { std::atomic_ref(marks[v]).store(1, std::memory_order_relaxed); };
     parallel_each(t.edge_count(), grain, [&](std::size_t e) {
-        if (t.sharpness[e] > 0) {
+        if (t.sharpness[e] > 0 || t.is_border(std::uint32_t(e))) {
             mark(t.start(t.half_edge[e]));
             mark(t.end(t.half_edge[e]));
         }

@@ -54,8 +54,8 @@ struct LoopTopology {
     bool is_at_sharp_edge(std::uint32_t vertex) const;
 };
 
-/// Per vertex: 1 where LoopTopology::is_at_sharp_edge, else 0. Parallel; one look at every edge, where asking each vertex looks at its ring.
-std::vector<std::uint8_t> vertices_at_sharp_edges(const LoopTopology& topology);
+/// Per vertex: 1 where one of its edges is sharp or a border, else 0. Parallel; one look at every edge, where asking each vertex looks at its ring.
+std::vector<std::uint8_t> creased_vertices(const LoopTopology& topology);
 
 /// What is made of a mesh before it is subdivided.
 struct ControlOptions {
