@@ -307,9 +307,10 @@ LimitPoint limit_point(const LoopTopology& t, std::span<const dvec3> positions, 
     return point;
 }
 
-LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
+void limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule, LimitSurface& limit)
 {
-    LimitSurface limit{{positions.begin(), positions.end()}, std::vector<dvec3>(t.twin.size())};
+    limit.positions.assign(positions.begin(), positions.end());
+    limit.normals.resize(t.twin.size());
     const SmoothLimits smooth;
     std::vector<dvec3> normals(positions.size()); // where all corners of a vertex have the same
     const std::vector<std::uint32_t> others = each_smooth_ring(t, rule, [&](std::uint32_t v, const SmoothLimits::Ring& ring) {
@@ -338,6 +339,12 @@ LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positio
         }
         limit.positions[v] = point.position;
     });
+}
+
+LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
+{
+    LimitSurface limit;
+    limit_surface(t, positions, rule, limit);
     return limit;
 }
 
