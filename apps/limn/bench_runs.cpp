@@ -1,8 +1,6 @@
 #include "bench_runs.h"
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,6 +13,7 @@
 #include "limn/lines/draw.h"
 #include "limn/lines/prepare.h"
 #include "limn/surface/shapes.h"
+#include "process_output.h"
 #include "scratch_folder.h"
 
 using namespace limn;
@@ -27,16 +26,6 @@ Mesh shape_of(const std::string& name, std::size_t triangles)
     options.name = name;
     options.triangles = triangles;
     return make_shape(options).mesh;
-}
-
-std::string output_of(const std::string& command)
-{
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-    std::string text;
-    char buffer[4096];
-    for (std::size_t n; pipe && (n = std::fread(buffer, 1, sizeof buffer, pipe.get())) > 0;)
-        text.append(buffer, n);
-    return text;
 }
 
 /// Peak memory of `limn draw FILE`, bytes.

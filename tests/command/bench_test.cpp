@@ -89,6 +89,25 @@ TEST(Bench, AgreementHoldsEveryMethodOnShapesAndFiles)
     EXPECT_NE(unknown.errors.find("nothing.ply"), std::string::npos) << unknown.errors;
 }
 
+TEST(Bench, SubdivisionGoesDownFiveLevelsAndUpTheSizes)
+{
+    const ProgramResult result = run_limn(LIMN_COMMAND, "bench subdivision --sizes 100,400 --models sphere --runs 1 --quiet --json");
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const nlohmann::json report = nlohmann::json::parse(result.output);
+    EXPECT_EQ(report["model"], "sphere");
+    for (const char* table : {"cold_ms", "pose_ms", "limit_ms"}) {
+        const nlohmann::json& rows = report.at(table);
+        ASSERT_EQ(rows.size(), 6u) << table;
+        const char* const triangles[] = {"320", "1,280", "5,120", "20,480", "81,920", "20,480"}; // of spheres of 80 and 320
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            EXPECT_EQ(rows[i]["levels"], i < 5 ? std::to_string(i + 1) : "3") << table;
+            EXPECT_EQ(rows[i]["triangles"], triangles[i]) << table;
+        }
+        EXPECT_GT(std::stod(rows[4]["limn"].get<std::string>()), 0) << rows[4];
+    }
+    EXPECT_EQ(run_limn(LIMN_COMMAND, "bench subdivision --models torus,blob --quiet").exit_code, 2);
+}
+
 TEST(Bench, NamesWhatItCannotMeasure)
 {
     const ProgramResult unknown = run_limn(LIMN_COMMAND, "bench cheese");

@@ -22,7 +22,7 @@ struct Adjacency {
 };
 
 inline std::uint32_t next_half_edge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-
+inline std::uint32_t previous_half_edge(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 /// Numbers the connected shells of faces (joined by twins) from 0 in the order of their first face.
 /// @return one shell number per face

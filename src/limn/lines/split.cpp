@@ -5,8 +5,6 @@
 namespace limn {
 namespace {
 
-std::uint32_t previous_half_edge(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
 /// The half-edge of a face from a to b or from b to a, or `none`.
 std::uint32_t half_edge_between(const Mesh& mesh, std::uint32_t face, std::uint32_t a, std::uint32_t b)
 {

@@ -1,15 +1,61 @@
 #include "limn/subdivision/loop_limit.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "limn/base/parallel.h"
 #include "limn/subdivision/loop_limit_masks.h"
 #include "limn/subdivision/loop_ring.h"
+#include "limn/subdivision/loop_walk.h"
 
 namespace limn {
 namespace {
 
 constexpr std::size_t grain = 1024;
+
+/// The limit masks of smooth vertices of common valences, and one of their rings, without memory that must be asked for.
+class SmoothLimits {
+public:
+    static constexpr std::size_t most = 12; ///< edges around a vertex
+
+    struct Ring {
+        std::array<std::uint32_t, most> neighbours = {};
+        std::size_t size = 0;
+    };
+    struct Masks {
+        double self = 0, each = 0;                ///< position
+        std::array<double, most> u = {}, v = {}; ///< tangents
+    };
+
+    SmoothLimits()
+    {
+        for (std::size_t n = 2; n <= most; ++n) {
+            const LimitMasks masks = smooth_limit_masks(n);
+            masks_[n].self = masks.position.self;
+            masks_[n].each = masks.position.points[0];
+            std::copy(masks.u.points.begin(), masks.u.points.end(), masks_[n].u.begin());
+            std::copy(masks.v.points.begin(), masks.v.points.end(), masks_[n].v.begin());
+        }
+    }
+    const Masks& of(const Ring& ring) const { return masks_[ring.size]; }
+
+    /// In the order of Spokes. @param vertex  has faces, and no sharp edge or border
+    /// @return false where there are more than `most`
+    static bool fill(const LoopTopology& t, std::uint32_t vertex, Ring& ring)
+    {
+        ring.size = 0;
+        return walk_around(t, vertex, [&](std::uint32_t neighbour) {
+            if (ring.size == most)
+                return false;
+            ring.neighbours[ring.size++] = neighbour;
+            return true;
+        });
+    }
+
+private:
+    std::array<Masks, most + 1> masks_;
+};
 
 /// The masks of vertices whose whole ring counts, by valence.
 class MaskTable {
@@ -87,12 +133,19 @@ dvec3 face_normal(const LoopRing& ring, std::size_t face)
     return glm::cross(ring.points[face % n] - ring.centre, ring.points[(face + 1) % n] - ring.centre);
 }
 
+constexpr double parallel = 1e-12; ///< sine of an angle
+
+/// Whether u x v tells the direction of a normal.
+bool has_direction(const dvec3& normal, const dvec3& u, const dvec3& v)
+{
+    return glm::dot(normal, normal) > parallel * parallel * glm::dot(u, u) * glm::dot(v, v);
+}
+
 /// The first of these that has a direction, as a unit vector.
 dvec3 unit_normal(const LimitPoint& point, const LoopRing& ring, const Sector& sector, std::size_t face)
 {
-    constexpr double parallel = 1e-12;
     const dvec3 normal = glm::cross(point.u, point.v);
-    if (glm::length(normal) > parallel * glm::length(point.u) * glm::length(point.v))
+    if (has_direction(normal, point.u, point.v))
         return glm::normalize(normal);
     dvec3 sum(0);
     double most = 0;
@@ -167,15 +220,15 @@ VertexKind settled_kind(const Spokes& spokes)
     return vertex_kind(sharp);
 }
 
-/// The masks that the vertices [0, count) need. @param vertex  gives their numbers
-template <class F> MaskTable make_table(const LoopTopology& t, CreaseRule rule, std::size_t count, F&& vertex)
+/// The masks that some vertices need.
+MaskTable make_table(const LoopTopology& t, CreaseRule rule, std::span<const std::uint32_t> vertices)
 {
     std::vector<std::size_t> valences[2];
     Spokes spokes;
-    for (std::size_t i = 0; i < count; ++i) {
-        t.gather(vertex(i), spokes);
+    for (const std::uint32_t v : vertices) {
+        t.gather(v, spokes);
         const VertexKind kind = settled_kind(spokes);
-        if (spokes.size() == 0 || kind > VertexKind::dart)
+        if (kind > VertexKind::dart)
             continue;
         std::vector<std::size_t>& seen = valences[kind == VertexKind::dart];
         if (std::find(seen.begin(), seen.end(), spokes.size()) == seen.end())
@@ -184,18 +237,58 @@ template <class F> MaskTable make_table(const LoopTopology& t, CreaseRule rule, 
     return MaskTable(rule, valences[0], valences[1]);
 }
 
-/// Calls f(vertex, spokes, settled ring, masks) for every vertex with faces; parallel.
-template <class F> void each_ring(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule, F&& f)
+/// Calls f(vertex, ring) for the vertices with faces that are smooth, as is all that their limits depend on; parallel.
+/// @param f  returns false where it leaves the vertex to be treated as one of the others
+/// @return   the other vertices with faces
+template <class F> std::vector<std::uint32_t> each_smooth_ring(const LoopTopology& t, CreaseRule rule, F&& f)
 {
-    const MaskTable table = make_table(t, rule, t.vertex_count(), [](std::size_t v) { return std::uint32_t(v); });
-    parallel_blocks(t.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
+    const std::vector<std::uint8_t> creased = creased_vertices(t);
+    const auto is_smooth = [&](std::uint32_t v, SmoothLimits::Ring& ring) {
+        if (creased[v] != 0 || !SmoothLimits::fill(t, v, ring))
+            return false;
+        return rule != CreaseRule::biermann ||
+               std::none_of(ring.neighbours.begin(), ring.neighbours.begin() + std::ptrdiff_t(ring.size), [&](std::uint32_t n) { return creased[n] != 0; });
+    };
+    return parallel_collect<std::uint32_t>(t.vertex_count(), grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& others) {
+        SmoothLimits::Ring ring;
+        for (std::uint32_t v = std::uint32_t(begin); v < end; ++v)
+            if (t.leaving[v] != none && !(is_smooth(v, ring) && f(v, ring)))
+                others.push_back(v);
+    });
+}
+
+/// Calls f(vertex, spokes, settled ring, masks) for some vertices with faces; parallel.
+template <class F> void each_ring(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule, std::span<const std::uint32_t> vertices, F&& f)
+{
+    const MaskTable table = make_table(t, rule, vertices);
+    parallel_blocks(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
         Spokes spokes;
-        for (std::uint32_t v = std::uint32_t(begin); v < end; ++v) {
+        for (const std::uint32_t v : vertices.subspan(begin, end - begin)) {
             t.gather(v, spokes);
-            if (spokes.size() > 0)
-                f(v, spokes, settled_ring(t, spokes, positions, v, rule), table);
+            f(v, spokes, settled_ring(t, spokes, positions, v, rule), table);
         }
     });
+}
+
+dvec3 smooth_limit_position(const SmoothLimits::Masks& masks, const SmoothLimits::Ring& ring, std::span<const dvec3> p, std::uint32_t v)
+{
+    dvec3 sum = masks.self * p[v];
+    for (std::size_t i = 0; i < ring.size; ++i)
+        sum += masks.each * p[ring.neighbours[i]];
+    return sum;
+}
+
+/// u x v, where that has a direction.
+std::optional<dvec3> smooth_limit_normal(const SmoothLimits::Masks& masks, const SmoothLimits::Ring& ring, std::span<const dvec3> p)
+{
+    dvec3 u(0), v(0);
+    for (std::size_t i = 0; i < ring.size; ++i) {
+        const dvec3& neighbour = p[ring.neighbours[i]];
+        u += masks.u[i] * neighbour;
+        v += masks.v[i] * neighbour;
+    }
+    const dvec3 normal = glm::cross(u, v);
+    return has_direction(normal, u, v) ? std::optional(glm::normalize(normal)) : std::nullopt;
 }
 
 } // namespace
@@ -205,7 +298,7 @@ LimitPoint limit_point(const LoopTopology& t, std::span<const dvec3> positions, 
     const std::uint32_t vertex = t.start(half_edge);
     const Spokes spokes = t.gather(vertex);
     const auto face = std::find(spokes.half_edges.begin(), spokes.half_edges.end(), half_edge) - spokes.half_edges.begin();
-    const MaskTable table = make_table(t, rule, 1, [&](std::size_t) { return vertex; });
+    const MaskTable table = make_table(t, rule, {&vertex, 1});
     const LoopRing ring = settled_ring(t, spokes, positions, vertex, rule);
     const VertexKind kind = vertex_kind(ring.sharpness);
     const Sector sector = sector_of(ring, kind, std::size_t(face));
@@ -214,10 +307,26 @@ LimitPoint limit_point(const LoopTopology& t, std::span<const dvec3> positions, 
     return point;
 }
 
-LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
+void limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule, LimitSurface& limit)
 {
-    LimitSurface limit{{positions.begin(), positions.end()}, std::vector<dvec3>(t.twin.size())};
-    each_ring(t, positions, rule, [&](std::uint32_t v, const Spokes& spokes, const LoopRing& ring, const MaskTable& table) {
+    limit.positions.assign(positions.begin(), positions.end());
+    limit.normals.resize(t.twin.size());
+    const SmoothLimits smooth;
+    std::vector<dvec3> normals(positions.size()); // where all corners of a vertex have the same
+    const std::vector<std::uint32_t> others = each_smooth_ring(t, rule, [&](std::uint32_t v, const SmoothLimits::Ring& ring) {
+        const SmoothLimits::Masks& masks = smooth.of(ring);
+        const std::optional<dvec3> normal = smooth_limit_normal(masks, ring, positions);
+        if (!normal)
+            return false;
+        limit.positions[v] = smooth_limit_position(masks, ring, positions, v);
+        normals[v] = *normal;
+        return true;
+    });
+    parallel_each(t.triangles.size(), grain, [&](std::size_t f) {
+        for (int k = 0; k < 3; ++k)
+            limit.normals[3 * f + std::size_t(k)] = normals[t.triangles[f][k]];
+    });
+    each_ring(t, positions, rule, others, [&](std::uint32_t v, const Spokes& spokes, const LoopRing& ring, const MaskTable& table) {
         const VertexKind kind = vertex_kind(ring.sharpness);
         Sector sector;
         LimitPoint point;
@@ -230,13 +339,24 @@ LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positio
         }
         limit.positions[v] = point.position;
     });
+}
+
+LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
+{
+    LimitSurface limit;
+    limit_surface(t, positions, rule, limit);
     return limit;
 }
 
 std::vector<dvec3> limit_positions(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
 {
     std::vector<dvec3> limit(positions.begin(), positions.end());
-    each_ring(t, positions, rule, [&](std::uint32_t v, const Spokes&, const LoopRing& ring, const MaskTable& table) {
+    const SmoothLimits smooth;
+    const std::vector<std::uint32_t> others = each_smooth_ring(t, rule, [&](std::uint32_t v, const SmoothLimits::Ring& ring) {
+        limit[v] = smooth_limit_position(smooth.of(ring), ring, positions, v);
+        return true;
+    });
+    each_ring(t, positions, rule, others, [&](std::uint32_t v, const Spokes&, const LoopRing& ring, const MaskTable& table) {
         limit[v] = limit_position(ring, vertex_kind(ring.sharpness), rule, table);
     });
     return limit;

@@ -30,6 +30,8 @@ struct LimitSurface {
 };
 /// Parallel.
 LimitSurface limit_surface(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule = CreaseRule::opensubdiv);
+/// The same. @param limit  is filled; memory of an earlier call is used again
+void limit_surface(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule, LimitSurface& limit);
 /// Only LimitSurface::positions.
 std::vector<dvec3> limit_positions(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule = CreaseRule::opensubdiv);
 

@@ -57,6 +57,12 @@ EdgeMask mix(const EdgeMask& a, const EdgeMask& b, double share_of_b)
     return {mix(a.start, b.start, share_of_b), mix(a.end, b.end, share_of_b), mix(a.left, b.left, share_of_b), mix(a.right, b.right, share_of_b)};
 }
 
+void set_smooth(VertexMask& mask, std::size_t valence)
+{
+    mask.each = loop_beta(valence);
+    mask.self = 1 - double(valence) * mask.each;
+}
+
 /// @param lasts  tells by its sharpness whether an edge counts as sharp
 template <class F> VertexMask mask_where(std::span<const float> spokes, F&& lasts)
 {
@@ -69,8 +75,7 @@ template <class F> VertexMask mask_where(std::span<const float> spokes, F&& last
             ++sharp;
         }
     if (sharp < 2) {
-        mask.each = loop_beta(spokes.size());
-        mask.self = 1 - double(spokes.size()) * mask.each;
+        set_smooth(mask, spokes.size());
     } else if (sharp == 2) {
         mask.self = 0.75;
         mask.along = 0.125;
@@ -151,6 +156,19 @@ VertexMask vertex_mask(std::span<const float> spokes)
     mask.self = mix(before.self, after.self, share);
     mask.each = mix(before.each, after.each, share);
     mask.along = mix(before.along, after.along, share);
+    return mask;
+}
+
+SmoothVertexMasks::SmoothVertexMasks()
+{
+    for (std::size_t n = 0; n < known_.size(); ++n)
+        known_[n] = compute(n);
+}
+
+VertexMask SmoothVertexMasks::compute(std::size_t valence)
+{
+    VertexMask mask;
+    set_smooth(mask, valence);
     return mask;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "limn/subdivision/loop_topology.h"
@@ -46,5 +47,16 @@ struct VertexMask {
 };
 /// @param spokes  sharpness of the edges around a vertex
 VertexMask vertex_mask(std::span<const float> spokes);
+
+/// The same where no edge is sharp, known by valence: meshes have few of these, and each costs a cosine.
+class SmoothVertexMasks {
+public:
+    SmoothVertexMasks();
+    VertexMask of(std::size_t valence) const { return valence < known_.size() ? known_[valence] : compute(valence); }
+
+private:
+    static VertexMask compute(std::size_t valence);
+    std::array<VertexMask, 16> known_;
+};
 
 } // namespace limn

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/base/parallel.h"
 
 namespace limn {
 namespace {
@@ -205,6 +207,20 @@ bool LoopTopology::is_at_sharp_edge(std::uint32_t vertex) const
         h = twin[next_half_edge(next_half_edge(h))];
     } while (h != leaving[vertex]);
     return false;
+}
+
+std::vector<std::uint8_t> creased_vertices(const LoopTopology& t)
+{
+    constexpr std::size_t grain = 1 << 14;
+    std::vector<std::uint8_t> marks(t.vertex_count(), 0);
+    const auto mark = [&](std::uint32_t v) { std::atomic_ref(marks[v]).store(1, std::memory_order_relaxed); };
+    parallel_each(t.edge_count(), grain, [&](std::size_t e) {
+        if (t.sharpness[e] > 0 || t.is_border(std::uint32_t(e))) {
+            mark(t.start(t.half_edge[e]));
+            mark(t.end(t.half_edge[e]));
+        }
+    });
+    return marks;
 }
 
 ControlMesh make_control_mesh(const Mesh& mesh, const ControlOptions& options)

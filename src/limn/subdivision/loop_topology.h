@@ -54,6 +54,9 @@ struct LoopTopology {
     bool is_at_sharp_edge(std::uint32_t vertex) const;
 };
 
+/// Per vertex: 1 where one of its edges is sharp or a border, else 0. Parallel; one look at every edge, where asking each vertex looks at its ring.
+std::vector<std::uint8_t> creased_vertices(const LoopTopology& topology);
+
 /// What is made of a mesh before it is subdivided.
 struct ControlOptions {
     bool tags = true;        ///< creases as the file tags them

@@ -122,6 +122,46 @@ std::vector<CreaseEdge> remaining_creases(const LoopTopology& t)
     });
 }
 
+/// The same after one more step.
+std::vector<CreaseEdge> creases_after_step(const LoopTopology& t)
+{
+    return parallel_collect<CreaseEdge>(t.edge_count(), grain, [&](std::size_t begin, std::size_t end, std::vector<CreaseEdge>& out) {
+        for (std::uint32_t e = std::uint32_t(begin); e < end; ++e) {
+            const float sharp = child_sharpness(t.sharpness[e]);
+            const std::uint32_t h = t.half_edge[e], point = std::uint32_t(t.vertex_count()) + e;
+            if (sharp > 0 && !t.is_border(e)) {
+                out.push_back({t.start(h), point, sharp});
+                out.push_back({point, t.end(h), sharp});
+            }
+        }
+    });
+}
+
+/// A level as a mesh, its vertices where they are.
+void set_level(Level&& level, Mesh& fine)
+{
+    fine.creases = remaining_creases(level.topology);
+    fine.positions = std::move(level.positions);
+    fine.triangles = std::move(level.topology.triangles);
+}
+
+/// The next level as a mesh; nothing is made that only further steps would ask for.
+void set_next_level(const Level& level, CreaseRule rule, Mesh& fine)
+{
+    fine.creases = creases_after_step(level.topology);
+    fine.positions = refine_positions(level.topology, level.positions, rule);
+    fine.triangles = refine_triangles(level.topology);
+}
+
+/// A level as a mesh on the limit surface, with its normals.
+void set_limit(Level&& level, CreaseRule rule, Mesh& fine)
+{
+    LimitSurface limit = limit_surface(level.topology, level.positions, rule);
+    fine.positions = std::move(limit.positions);
+    fine.corner_normals.assign(limit.normals.begin(), limit.normals.end());
+    fine.triangles = std::move(level.topology.triangles);
+}
+
 /// What hangs on vertices and faces, taken down to a level.
 void take_down(const Mesh& mesh, const ControlMesh& control, int levels, Mesh& fine)
 {
@@ -176,19 +216,18 @@ Subdivided subdivide(const Mesh& mesh, const SubdivideOptions& options)
         if (is_too_many(mesh.triangles.size(), options.levels))
             throw Error::Input(fmt::format("--levels {}: {} triangles would become {:.0f}, more than the {} that there may be", options.levels,
                                            mesh.triangles.size(), double(mesh.triangles.size()) * std::pow(4.0, options.levels), most_subdivided_triangles));
-        for (; result.levels < options.levels; ++result.levels)
+        for (; result.levels + 1 < options.levels; ++result.levels)
             level = next_level(level, options.crease_rule);
     }
     Mesh& fine = result.mesh;
-    if (options.limit) {
-        LimitSurface limit = limit_surface(level.topology, level.positions, options.crease_rule);
-        fine.positions = std::move(limit.positions);
-        fine.corner_normals.assign(limit.normals.begin(), limit.normals.end());
-    } else {
-        fine.creases = remaining_creases(level.topology);
-        fine.positions = std::move(level.positions);
-    }
-    fine.triangles = std::move(level.topology.triangles);
+    const bool is_step_left = options.max_error == 0 && result.levels < options.levels;
+    result.levels += is_step_left;
+    if (options.limit)
+        set_limit(is_step_left ? next_level(level, options.crease_rule) : std::move(level), options.crease_rule, fine);
+    else if (is_step_left)
+        set_next_level(level, options.crease_rule, fine);
+    else
+        set_level(std::move(level), fine);
     take_down(mesh, control, result.levels, fine);
     return result;
 }

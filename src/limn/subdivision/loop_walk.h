@@ -1,0 +1,25 @@
+#pragma once
+
+#include "limn/subdivision/loop_topology.h"
+
+namespace limn {
+
+/// Walks around a vertex in the order of its Spokes without memory for them: calls f(neighbour) for each, and stops where f returns false.
+/// The corners of triangles around a vertex follow no pattern that a processor could predict: they are chosen without branches.
+/// @param vertex  has faces and no border
+/// @return whether the walk came round
+template <class F> bool walk_around(const LoopTopology& t, std::uint32_t vertex, F&& f)
+{
+    const std::uint32_t first = t.leaving[vertex];
+    std::uint32_t h = first;
+    do {
+        const std::uint32_t face = h / 3, corner = h - 3 * face;
+        const uvec3& triangle = t.triangles[face];
+        if (!f(corner == 0 ? triangle.y : corner == 1 ? triangle.z : triangle.x))
+            return false;
+        h = t.twin[corner == 0 ? h + 2 : h - 1];
+    } while (h != first);
+    return true;
+}
+
+} // namespace limn
