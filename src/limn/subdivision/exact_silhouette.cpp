@@ -118,11 +118,11 @@ SilhouetteMesh Maker::finish() const
         for (const EdgePoint& p : edges_[e])
             out.mesh.positions.push_back(p.position);
     }
-    const auto add_corner = [&](const dvec3& normal, const dvec2& at) {
-        out.mesh.corner_normals.push_back(vec3(normal));
-        out.parameters.push_back(at);
-    };
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+        const auto add_corner = [&](const dvec3& normal, const dvec2& at) {
+            out.mesh.corner_normals.push_back(vec3(normal == dvec3(0) ? view_.pose.corners.normals[3 * f] : normal)); // 0: no tangent plane
+            out.parameters.push_back(at);
+        };
         if (!faces_[f].cut) {
             out.mesh.triangles.push_back(t.triangles[f]);
             out.faces.push_back(f);

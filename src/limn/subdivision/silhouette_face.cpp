@@ -99,6 +99,18 @@ CutFace without_loops(const SilhouetteView& view, CutFace face)
     return face;
 }
 
+/// Whether the corners of a face and the middles of its sides are one place but for rounding: then its normals mean nothing.
+bool is_point(const SilhouetteView& view, std::uint32_t face)
+{
+    constexpr double rounding = 1e-12;
+    const LoopTopology& t = view.topology();
+    const dvec3& first = view.pose.corners.positions[t.triangles[face].x];
+    double reach = 0;
+    for (std::uint32_t k = 0; k < 3; ++k)
+        reach = std::max({reach, glm::distance(first, view.pose.corners.positions[t.start(3 * face + k)]), glm::distance(first, view.pose.middles[t.edge[3 * face + k]])});
+    return reach <= rounding * glm::length(first);
+}
+
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Points by their places.
@@ -288,7 +300,7 @@ CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoint
     FaceLeaf& leaf = out.leaves.emplace_back();
     leaf.cell.corners = {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)};
     leaf.front = view.faces_eye(3 * face);
-    if (!may_hold_contour(view, face, edges))
+    if (!may_hold_contour(view, face, edges) || is_point(view, face))
         return out;
     leaf.cell = contour_cell(view.pose.shape, view.eye, face);
     for (std::uint32_t k = 0; k < 3; ++k) {
