@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,26 @@ void cover(std::uint64_t* row, int first, int last)
     row[begin] |= from;
     std::fill(row + begin + 1, row + end, every_bit);
     row[end] |= to;
+}
+
+/// Sets the samples that a line runs through, one for each column or row, whichever it crosses more of.
+void cover_line(OutlineMask& mask, dvec2 a, dvec2 b)
+{
+    const dvec2 d = glm::abs(b - a);
+    const int along = d.x >= d.y ? 0 : 1, across = 1 - along;
+    if (a[along] > b[along])
+        std::swap(a, b);
+    if (!(b[along] >= 0 && a[along] <= mask.size[along]))
+        return;
+    const double slope = d[along] > 0 ? (b[across] - a[across]) / (b[along] - a[along]) : 0;
+    const int first = int(std::max(0.0, std::ceil(a[along] - 0.5))), last = int(std::min(double(mask.size[along] - 1), std::floor(b[along] - 0.5)));
+    for (int i = first; i <= last; ++i) {
+        const double place = std::floor(a[across] + slope * (i + 0.5 - a[along]));
+        if (!(place >= 0 && place < mask.size[across]))
+            continue;
+        const int x = along == 0 ? i : int(place), y = along == 0 ? int(place) : i;
+        mask.bits[std::size_t(y) * mask.words_per_row() + std::size_t(x) / 64] |= std::uint64_t(1) << (x % 64);
+    }
 }
 
 bool is_front(const std::array<dvec2, 3>& p) // y runs down
@@ -112,8 +133,12 @@ OutlineMask outline_mask(const Mesh& mesh, const Camera& camera, int per_pixel, 
         if (!seen[t.x] || !seen[t.y] || !seen[t.z])
             continue;
         const std::array<dvec2, 3> corners = {places[t.x], places[t.y], places[t.z]};
-        if (faces == MaskFaces::all || is_front(corners))
-            for_each_row(corners, mask.size, [&](int y, int first, int last) { cover(&mask.bits[std::size_t(y) * words], first, last); });
+        if (faces == MaskFaces::front && !is_front(corners))
+            continue;
+        for_each_row(corners, mask.size, [&](int y, int first, int last) { cover(&mask.bits[std::size_t(y) * words], first, last); });
+        if (faces == MaskFaces::all)
+            for (std::size_t k = 0; k < 3; ++k)
+                cover_line(mask, corners[k], corners[(k + 1) % 3]);
     }
     return mask;
 }

@@ -19,10 +19,10 @@ struct OutlineMask {
     std::size_t covered() const; ///< samples
 };
 
-/// The faces that a mask is made of.
+/// What a mask is made of.
 enum class MaskFaces : std::uint8_t {
-    all,
-    front, ///< those that are counter-clockwise in the picture: a gap between them shows, though faces of the far side lie behind it
+    all,   ///< the samples whose centres are in faces, and those that sides of faces run through: parts thinner than a sample show as well
+    front, ///< those whose centres are in faces that are counter-clockwise in the picture: a gap between them shows, though the far side lies behind
 };
 
 /// @param mesh  faces with a corner behind the eye are left out
