@@ -238,7 +238,7 @@ std::size_t count_crossings(const SilhouetteView& view, const EdgePoints* found)
                 continue;
             crossings.clear();
             if (found)
-                for (const EdgePoint& p : (*found)[e])
+                for (const CutPoint& p : (*found)[e])
                     count += p.crossing[side];
             else
                 append_crossings(view.pose.shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);

@@ -33,7 +33,7 @@ public:
     explicit OutlineSubject(const Mesh& mesh)
         : exact_(mesh), control_(make_control_mesh(mesh)), surface_(make_seed_surface(control_.topology)), pose_(make_seed_pose(surface_, control_.positions)),
           closed_(std::find(control_.topology.twin.begin(), control_.topology.twin.end(), none) == control_.topology.twin.end()),
-          reference_(ReferenceMesh(exact_, any_view(exact_.bounds(), 0)).mesh)
+          reference_(reference_mesh(exact_, any_view(exact_.bounds(), 0)))
     {
     }
     const ExactSubject& exact() const { return exact_; }
@@ -113,7 +113,7 @@ TEST(Outline, IsHeldAgainstANearReference)
     for (const auto& [name, mesh] : outline_models()) {
         const ExactSubject subject(mesh);
         const Camera camera = any_view(subject.bounds(), 0);
-        const OutlineMask found = outline_mask(ReferenceMesh(subject, camera).mesh, camera, 16), finer = outline_mask(ReferenceMesh(subject, camera, 0.0075).mesh, camera, 16);
+        const OutlineMask found = outline_mask(reference_mesh(subject, camera), camera, 16), finer = outline_mask(reference_mesh(subject, camera, 0.0075), camera, 16);
         const OutlineError error = compare_outlines(found, finer);
         EXPECT_LE(error.most(), 0.125) << name; // two samples
         EXPECT_LE(error.mean(), 0.02) << name;

@@ -180,6 +180,8 @@ std::vector<double> changes_along(const ContourCell& cell, const dvec2& from, co
             for (const double root : roots)
                 changes.push_back(std::clamp(begin + root * (end - begin), least, 1 - least));
         }
+    if (cell.rests.empty())
+        known = {{0, 1}};
     std::sort(known.begin(), known.end());
     known.push_back({1, 1});
     double reached = 0;

@@ -141,7 +141,7 @@ PointSet boundary_points(const SilhouetteView& view, const CutFace& face, const 
         set.add({FacePoint::Of::corner, k, 0, on_side(k, 0)});
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face.face + k;
-        const std::vector<EdgePoint>& points = edges[t.edge[h]];
+        const std::vector<CutPoint>& points = edges[t.edge[h]];
         for (std::uint32_t i = 0; i < points.size(); ++i)
             set.add({FacePoint::Of::edge, k, i, on_side(k, along_side(t, h, points[i].t))});
     }
@@ -284,7 +284,7 @@ bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const Edge
     std::array<Facing, 6> places;
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face + k;
-        for (const EdgePoint& p : edges[t.edge[h]])
+        for (const CutPoint& p : edges[t.edge[h]])
             if (p.crossing[view.side_of(h)])
                 return true;
         places[k] = view.at_start(h);
@@ -305,7 +305,7 @@ CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoint
     leaf.cell = contour_cell(view.pose.shape, view.eye, face);
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face + k;
-        for (const EdgePoint& p : edges[t.edge[h]])
+        for (const CutPoint& p : edges[t.edge[h]])
             if (p.crossing[view.side_of(h)]) {
                 const double along = along_side(t, h, p.t);
                 leaf.crossings.push_back({int(k), along, on_side(k, along)});
