@@ -283,7 +283,7 @@ public:
             join_pairs(cell, crossings);
             return;
         }
-        if (n == 0 || n == 2) {
+        if (cell.rests.empty() && (n == 0 || n == 2)) { // of rests growth is not known
             const dvec2 direction = direction_of_growth(cell, n == 0 ? centroid(cell.corners) : 0.5 * (crossings[0].at + crossings[1].at), crossings);
             if (direction != dvec2(0)) {
                 if (n == 2)
