@@ -146,23 +146,50 @@ dvec2 direction_of_growth(const ContourCell& cell, const dvec2& middle, std::spa
     return sum != dvec2(0) && grows(cell, sum) ? sum : dvec2(0);
 }
 
-/// Where g changes its sign along a segment that sides of pieces lie on, from 0 to 1.
+/// Appends where g changes its sign between two places of a segment, if their signs differ.
+void append_change(const ContourCell& cell, const dvec2& from, const dvec2& along, double low, double high, std::vector<double>& changes)
+{
+    constexpr int halvings = 30;
+    const auto is_front = [&](double t) { return contour_value(cell, from + t * along) >= 0; };
+    const bool at_low = is_front(low);
+    if (is_front(high) == at_low)
+        return;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (is_front(middle) == at_low ? low : high) = middle;
+    }
+    changes.push_back(std::clamp(0.5 * (low + high), least, 1 - least));
+}
+
+/// Where g changes its sign along a segment, from 0 to 1: all changes along the sides of pieces; beside rests one where there must be one.
 std::vector<double> changes_along(const ContourCell& cell, const dvec2& from, const dvec2& to)
 {
     const dvec2 along = to - from;
     const double length = glm::dot(along, along);
     std::vector<double> changes, roots;
+    std::vector<std::array<double, 2>> known;
     for (const auto& piece : cell.pieces)
         for (int side = 0; side < 3; ++side) {
             const dvec2 a = piece->corners[std::size_t(side)] - from, b = piece->corners[std::size_t(side + 1) % 3] - from;
             if (cross(a, along) != 0 || cross(b, along) != 0) // dyadic numbers: exact
                 continue;
             const double begin = glm::dot(a, along) / length, end = glm::dot(b, along) / length;
+            known.push_back({std::min(begin, end), std::max(begin, end)});
             roots.clear();
             append_sign_changes(along_side(piece->g, side), roots);
             for (const double root : roots)
                 changes.push_back(std::clamp(begin + root * (end - begin), least, 1 - least));
         }
+    if (cell.rests.empty())
+        known = {{0, 1}};
+    std::sort(known.begin(), known.end());
+    known.push_back({1, 1});
+    double reached = 0;
+    for (const auto& [begin, end] : known) {
+        if (begin > reached)
+            append_change(cell, from, along, reached, begin, changes);
+        reached = std::max(reached, end);
+    }
     std::sort(changes.begin(), changes.end());
     return changes;
 }
@@ -256,7 +283,7 @@ public:
             join_pairs(cell, crossings);
             return;
         }
-        if (n == 0 || n == 2) {
+        if (cell.rests.empty() && (n == 0 || n == 2)) { // of rests growth is not known
             const dvec2 direction = direction_of_growth(cell, n == 0 ? centroid(cell.corners) : 0.5 * (crossings[0].at + crossings[1].at), crossings);
             if (direction != dvec2(0)) {
                 if (n == 2)

@@ -122,14 +122,14 @@ SilhouetteMesh Maker::finish() const
     std::vector<std::uint32_t> first_of_edge(edges_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e) {
         first_of_edge[e] = std::uint32_t(out.mesh.positions.size());
-        for (const EdgePoint& p : edges_[e])
+        for (const CutPoint& p : edges_[e])
             out.mesh.positions.push_back(p.position);
     }
-    const auto add_corner = [&](const dvec3& normal, const dvec2& at) {
-        out.mesh.corner_normals.push_back(vec3(normal));
-        out.parameters.push_back(at);
-    };
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+        const auto add_corner = [&](const dvec3& normal, const dvec2& at) {
+            out.mesh.corner_normals.push_back(vec3(normal == dvec3(0) ? view_.pose.corners.normals[3 * f] : normal)); // 0: no tangent plane
+            out.parameters.push_back(at);
+        };
         if (!faces_[f].cut) {
             out.mesh.triangles.push_back(t.triangles[f]);
             out.faces.push_back(f);
@@ -172,9 +172,9 @@ SilhouetteMesh Maker::finish() const
 ExactSilhouetteReport Maker::report() const
 {
     ExactSilhouetteReport report;
-    for (const std::vector<EdgePoint>& points : edges_) {
+    for (const std::vector<CutPoint>& points : edges_) {
         std::size_t crossings[2] = {0, 0};
-        for (const EdgePoint& p : points)
+        for (const CutPoint& p : points)
             for (std::size_t side = 0; side < 2; ++side)
                 crossings[side] += p.crossing[side];
         report.crossed_edges += crossings[0] + crossings[1] > 0;

@@ -27,11 +27,18 @@ bool is_straight(const Polygon& left, std::size_t i, std::span<const std::uint8_
     return (lines[left[(i + n - 1) % n]] & lines[left[i]] & lines[left[(i + 1) % n]]) != 0;
 }
 
+/// Whether cutting off corner i would lead along a side: then other points of that side lie between its neighbours, and would be left in line.
+bool cuts_along_side(const Polygon& left, std::size_t i, std::span<const std::uint8_t> lines)
+{
+    const std::size_t n = left.size();
+    return n > 3 && (lines[left[(i + n - 1) % n]] & lines[left[(i + 1) % n]]) != 0;
+}
+
 /// How good an ear corner i of what is left would be; negative where it is none.
 double ear_quality(const Polygon& left, std::size_t i, const PolygonPoints& all)
 {
     const std::size_t n = left.size();
-    if (is_straight(left, i, all.lines))
+    if (is_straight(left, i, all.lines) || cuts_along_side(left, i, all.lines))
         return -1;
     const std::span<const dvec2> points = all.places;
     const dvec2 &a = points[left[(i + n - 1) % n]], &b = points[left[i]], &c = points[left[(i + 1) % n]];
@@ -65,9 +72,11 @@ std::size_t choose_ear(const Polygon& left, const std::vector<double>& qualities
         return std::size_t(best - qualities.begin());
     const std::size_t n = left.size();
     std::size_t least = 0;
-    double most = -3;
+    double most = -4;
     for (std::size_t i = 0; i < n; ++i) {
-        const double shape = is_straight(left, i, all.lines) ? -2 : quality(all.places[left[(i + n - 1) % n]], all.places[left[i]], all.places[left[(i + 1) % n]]);
+        const double shape = is_straight(left, i, all.lines)        ? -3
+                             : cuts_along_side(left, i, all.lines) ? -2
+                                                                   : quality(all.places[left[(i + n - 1) % n]], all.places[left[i]], all.places[left[(i + 1) % n]]);
         if (shape > most)
             most = shape, least = i;
     }

@@ -13,12 +13,12 @@ constexpr std::size_t grain = 256;
 /// Whether the limit surface has a fold there; semi-sharp edges become smooth.
 bool is_sharp(const LoopTopology& t, std::uint32_t edge) { return t.sharpness[edge] >= infinitely_sharp; }
 
-EdgePoint make_point(const SilhouetteView& view, std::uint32_t edge, double t)
+CutPoint make_point(const SilhouetteView& view, std::uint32_t edge, double t)
 {
     const LoopTopology& topology = view.topology();
     const std::uint32_t h = topology.half_edge[edge], over = topology.twin[h];
     const SurfaceSample sample = view.pose.shape.sample(on_half_edge(h, t));
-    EdgePoint point{t, {false, false}, sample.position, {sample.normal, sample.normal}};
+    CutPoint point{t, {false, false}, sample.position, {sample.normal, sample.normal}};
     if (over != none && is_sharp(topology, edge))
         point.normals[1] = view.pose.shape.normal(on_half_edge(over, 1 - t));
     return point;
@@ -33,10 +33,10 @@ std::vector<double> crossings_of(const SilhouetteView& view, std::uint32_t h)
     return crossings;
 }
 
-void add_outline_points(const SilhouetteView& view, std::uint32_t edge, const EdgePoint& a, const EdgePoint& b, int depth, std::vector<EdgePoint>& points)
+void add_outline_points(const SilhouetteView& view, std::uint32_t edge, const CutPoint& a, const CutPoint& b, int depth, std::vector<CutPoint>& points)
 {
     constexpr int deepest = 8;
-    const EdgePoint middle = make_point(view, edge, 0.5 * (a.t + b.t));
+    const CutPoint middle = make_point(view, edge, 0.5 * (a.t + b.t));
     const dvec2 pixels[3] = {view.plane.pixel(a.position), view.plane.pixel(middle.position), view.plane.pixel(b.position)};
     if (depth == deepest || !view.plane.is_in_picture(pixels))
         return;
@@ -60,11 +60,11 @@ bool is_outline(const SilhouetteView& view, std::uint32_t edge, const std::vecto
 }
 
 /// Points that are as good as the same become one.
-std::vector<EdgePoint> without_repeats(std::vector<EdgePoint> points)
+std::vector<CutPoint> without_repeats(std::vector<CutPoint> points)
 {
     constexpr double same = 1e-9;
-    std::vector<EdgePoint> out;
-    for (const EdgePoint& p : points) {
+    std::vector<CutPoint> out;
+    for (const CutPoint& p : points) {
         const bool repeated = !out.empty() && p.t - out.back().t < same && !(p.crossing[0] && out.back().crossing[0]) && !(p.crossing[1] && out.back().crossing[1]);
         if (!repeated) {
             out.push_back(p);
@@ -76,13 +76,13 @@ std::vector<EdgePoint> without_repeats(std::vector<EdgePoint> points)
     return out;
 }
 
-std::vector<EdgePoint> cut_edge(const SilhouetteView& view, std::uint32_t edge)
+std::vector<CutPoint> cut_edge(const SilhouetteView& view, std::uint32_t edge)
 {
     const LoopTopology& t = view.topology();
     const std::uint32_t h = t.half_edge[edge], over = t.twin[h];
     const bool two_sides = over != none && is_sharp(t, edge);
     std::vector<double> crossings[2] = {crossings_of(view, h), two_sides ? crossings_of(view, over) : std::vector<double>()};
-    std::vector<EdgePoint> points;
+    std::vector<CutPoint> points;
     if (is_outline(view, edge, crossings))
         add_outline_points(view, edge, make_point(view, edge, 0), make_point(view, edge, 1), 0, points);
     for (std::size_t side = 0; side < 2; ++side)
@@ -90,7 +90,7 @@ std::vector<EdgePoint> cut_edge(const SilhouetteView& view, std::uint32_t edge)
             points.push_back(make_point(view, edge, side == 0 ? crossing : 1 - crossing));
             points.back().crossing = {side == 0 || !two_sides, side == 1 || !two_sides};
         }
-    std::sort(points.begin(), points.end(), [](const EdgePoint& a, const EdgePoint& b) { return a.t < b.t; });
+    std::sort(points.begin(), points.end(), [](const CutPoint& a, const CutPoint& b) { return a.t < b.t; });
     return without_repeats(std::move(points));
 }
 
@@ -103,9 +103,9 @@ EdgePoints cut_edges(const SilhouetteView& view)
     return edges;
 }
 
-bool add_edge_point(const SilhouetteView& view, std::uint32_t edge, double t, std::vector<EdgePoint>& points)
+bool add_edge_point(const SilhouetteView& view, std::uint32_t edge, double t, std::vector<CutPoint>& points)
 {
-    const auto at = std::lower_bound(points.begin(), points.end(), t, [](const EdgePoint& p, double value) { return p.t < value; });
+    const auto at = std::lower_bound(points.begin(), points.end(), t, [](const CutPoint& p, double value) { return p.t < value; });
     if (at != points.end() && at->t == t)
         return false;
     points.insert(at, make_point(view, edge, t));

@@ -99,6 +99,18 @@ CutFace without_loops(const SilhouetteView& view, CutFace face)
     return face;
 }
 
+/// Whether the corners of a face and the middles of its sides are one place but for rounding: then its normals mean nothing.
+bool is_point(const SilhouetteView& view, std::uint32_t face)
+{
+    constexpr double rounding = 1e-12;
+    const LoopTopology& t = view.topology();
+    const dvec3& first = view.pose.corners.positions[t.triangles[face].x];
+    double reach = 0;
+    for (std::uint32_t k = 0; k < 3; ++k)
+        reach = std::max({reach, glm::distance(first, view.pose.corners.positions[t.start(3 * face + k)]), glm::distance(first, view.pose.middles[t.edge[3 * face + k]])});
+    return reach <= rounding * glm::length(first);
+}
+
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Points by their places.
@@ -129,7 +141,7 @@ PointSet boundary_points(const SilhouetteView& view, const CutFace& face, const 
         set.add({FacePoint::Of::corner, k, 0, on_side(k, 0)});
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face.face + k;
-        const std::vector<EdgePoint>& points = edges[t.edge[h]];
+        const std::vector<CutPoint>& points = edges[t.edge[h]];
         for (std::uint32_t i = 0; i < points.size(); ++i)
             set.add({FacePoint::Of::edge, k, i, on_side(k, along_side(t, h, points[i].t))});
     }
@@ -286,7 +298,7 @@ bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const Edge
     std::array<Facing, 6> places;
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face + k;
-        for (const EdgePoint& p : edges[t.edge[h]])
+        for (const CutPoint& p : edges[t.edge[h]])
             if (p.crossing[view.side_of(h)])
                 return true;
         places[k] = view.at_start(h);
@@ -302,12 +314,12 @@ CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoint
     FaceLeaf& leaf = out.leaves.emplace_back();
     leaf.cell.corners = {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)};
     leaf.front = view.faces_eye(3 * face);
-    if (!may_hold_contour(view, face, edges))
+    if (!may_hold_contour(view, face, edges) || is_point(view, face))
         return out;
     leaf.cell = contour_cell(view.pose.shape, view.eye, face);
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face + k;
-        for (const EdgePoint& p : edges[t.edge[h]])
+        for (const CutPoint& p : edges[t.edge[h]])
             if (p.crossing[view.side_of(h)]) {
                 const double along = along_side(t, h, p.t);
                 leaf.crossings.push_back({int(k), along, on_side(k, along)});
