@@ -30,7 +30,7 @@ struct Stage {
     /// @param view  of control meshes for one camera, or null: the same for all
     SeenModel model(const LoopView* view) const
     {
-        return {view ? view->lines : models.lines, view ? view->seen : seen, up_vector(up_axis_of(command.view, models.inputs.front().format))};
+        return {view ? view->lines : models.lines, view ? view->seen : seen, up_vector(up_axis_of(command.view, models.inputs.front().format)), view};
     }
 };
 

@@ -61,6 +61,7 @@ Fragment FragmentTracer::at(const dvec2& pixel) const
     const float weight = 1 - hit.u - hit.v;
     fragment.object = hit.object;
     fragment.triangle = hit.triangle;
+    fragment.u = hit.u, fragment.v = hit.v;
     fragment.position = weight * a + hit.u * b + hit.v * c;
     fragment.depth = float(scene_.scale * (skipped + double(hit.distance)) * glm::dot(direction, forward_));
     fragment.to_eye = vec3(-direction);

@@ -39,9 +39,10 @@ struct SeenScene {
 /// What is seen at one place of a picture. Without a hit only `object` (none) has a meaning.
 struct Fragment {
     std::uint32_t object = none, triangle = none;
+    float u = 0, v = 0;             ///< weights of the triangle's corners 1 and 2
     float depth = 0;                ///< along the viewing direction, world units
     vec3 position = vec3(0);        ///< in the frame of the scene
-    vec3 normal = vec3(0);          ///< interpolated from the vertices, unit
+    vec3 normal = vec3(0);          ///< interpolated from the vertices, or what normal_at has there; unit
     vec3 face_normal = vec3(0);     ///< of the triangle, unit
     vec3 to_eye = vec3(0);          ///< unit
     bool hit() const { return object != none; }

@@ -120,23 +120,8 @@ double distance_to_segment(const dvec3& p, const dvec3& a, const dvec3& b)
     return glm::distance(p, a + t * along);
 }
 
-/// What NormalAt reads of a silhouette mesh.
-struct Parameters {
-    const LimitShape* shape;
-    std::vector<std::uint32_t> faces;
-    std::vector<dvec2> corners;
-};
-
-NormalAt exact_normals(const LimitShape& shape, const SilhouetteMesh& mesh)
-{
-    const auto of = std::make_shared<const Parameters>(Parameters{&shape, mesh.faces, mesh.parameters});
-    return [of](std::uint32_t triangle, float u, float v) {
-        const dvec2* corners = &of->corners[3 * triangle];
-        const double b = std::clamp(double(u), 0.0, 1.0), c = std::clamp(double(v), 0.0, 1 - b);
-        const dvec2 at = (1 - b - c) * corners[0] + b * corners[1] + c * corners[2];
-        return vec3(of->shape->normal({of->faces[triangle], at.x, at.y}));
-    };
-}
+/// From the frame of an object to the world's directions. @param transform  a similarity
+glm::mat3 rotation_of(const dmat4& transform) { return glm::mat3(dmat3(transform) / std::cbrt(std::abs(glm::determinant(dmat3(transform))))); }
 
 } // namespace
 
@@ -164,6 +149,23 @@ LoopModel::LoopModel(const Mesh& mesh, const SubdivisionOptions& options)
         seed_ = make_seed_surface(table_.control(), options.depth);
         seed_pose_ = make_seed_pose(*seed_, positions_);
     }
+    if (options.normals == SubdivisionOptions::Normals::map)
+        map();
+}
+
+const SurfaceMap* LoopModel::map() const
+{
+    std::call_once(map_once_, [&] {
+        if (options_.normals == SubdivisionOptions::Normals::vertex)
+            return;
+        try {
+            map_.emplace(make_surface_map(pose_, options_.map_size));
+        } catch (const Error::Input&) {
+            if (options_.normals == SubdivisionOptions::Normals::map)
+                throw;
+        }
+    });
+    return map_ ? &*map_ : nullptr;
 }
 
 SilhouetteMesh LoopModel::silhouette(const Camera& camera) const
@@ -191,6 +193,8 @@ CutMesh LoopModel::cut_mesh(const Camera& camera) const
     CutMesh cut{silhouette(camera), {}, {}};
     if (options_.normals == SubdivisionOptions::Normals::limit)
         cut.normal_at = exact_normals(pose_.shape, cut.silhouette);
+    else if (options_.normals == SubdivisionOptions::Normals::map)
+        cut.normal_at = normals_in_map(*map(), cut.silhouette);
     std::vector<std::uint32_t> corner_of;
     cut.prepared = split_prepared(cut.silhouette.mesh, corner_of);
     return cut;
@@ -255,7 +259,7 @@ std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> place
     }
     LineModel lines = build_line_model(surfaces);
     RayScene rays = build_ray_scene(lines);
-    auto view = std::make_unique<LoopView>(LoopView{std::move(lines), std::move(rays), {}, std::move(meshes)});
+    auto view = std::make_unique<LoopView>(LoopView{std::move(lines), std::move(rays), {}, std::move(meshes), placed});
     view->seen = seen_scene(view->lines, view->rays);
     if (!view->meshes[0].normal_at)
         return view;
@@ -264,13 +268,30 @@ std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> place
         normals.push_back(mesh.normal_at);
     std::vector<glm::mat3> rotations;
     for (const PlacedLoop& object : placed)
-        rotations.push_back(glm::mat3(dmat3(object.transform) / std::cbrt(std::abs(glm::determinant(dmat3(object.transform))))));
+        rotations.push_back(rotation_of(object.transform));
     const std::vector<std::uint32_t>& first = view->lines.first_face;
     view->seen.objects[0].normal_at = [first, normals = std::move(normals), rotations = std::move(rotations)](std::uint32_t face, float u, float v) {
         const std::size_t object = std::size_t(std::upper_bound(first.begin(), first.end() - 1, face) - first.begin()) - 1;
         return rotations[object] * normals[object](face - first[object], u, v);
     };
     return view;
+}
+
+MappedNormals LoopView::mapped_normals() const
+{
+    MappedNormals result;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const SurfaceMap* map = placed[i].model->map();
+        if (!map)
+            return {};
+        const auto known = std::find(result.maps.begin(), result.maps.end(), &map->texels);
+        result.parts.push_back({std::uint32_t(known - result.maps.begin()), rotation_of(placed[i].transform)});
+        if (known == result.maps.end())
+            result.maps.push_back(&map->texels);
+        const std::vector<vec2> uvs = map_uvs(*map, meshes[i].silhouette);
+        result.uvs.insert(result.uvs.end(), uvs.begin(), uvs.end());
+    }
+    return result;
 }
 
 int levels_for(const LoopModel& model, double error)

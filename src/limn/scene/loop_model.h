@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +10,8 @@
 #include "limn/camera/camera.h"
 #include "limn/lines/prepare.h"
 #include "limn/raycast/fragment.h"
+#include "limn/raycast/mapped_normals.h"
+#include "limn/scene/loop_normals.h"
 #include "limn/scene/subdivision_options.h"
 #include "limn/subdivision/seed_surface.h"
 #include "limn/subdivision/silhouette_mesh.h"
@@ -26,7 +29,8 @@ struct CutMesh {
 /// A control mesh, ready to be shown from any side.
 class LoopModel {
 public:
-    /// @throws Error::Input for a mesh that cannot be subdivided (make_control_mesh) or becomes too large by `base_levels`.
+    /// @throws Error::Input for a mesh that cannot be subdivided (make_control_mesh) or becomes too large by `base_levels`, and for faces that do not fit into
+    ///         the normal map where one is asked for.
     LoopModel(const Mesh& mesh, const SubdivisionOptions& options);
     LoopModel(const LoopModel&) = delete; ///< the pose looks into the table
     LoopModel& operator=(const LoopModel&) = delete;
@@ -41,6 +45,10 @@ public:
 
     /// @param camera  in the frame of the control mesh
     CutMesh cut_mesh(const Camera& camera) const;
+
+    /// The normal map that stands for what the options ask of normals. Null where that is those of vertices, and where it is the limit's but the faces do not
+    /// fit into a map. Made at the first call.
+    const SurfaceMap* map() const;
 
     /// A fine mesh on the limit surface, for lines: with the limit surface's curvature, split where sharp edges are.
     /// @param levels  below the control mesh and its base levels
@@ -62,6 +70,8 @@ private:
     SilhouettePose pose_;
     std::optional<SeedSurface> seed_;
     SeedPose seed_pose_;
+    mutable std::once_flag map_once_;
+    mutable std::optional<const SurfaceMap> map_;
 };
 
 /// The camera as it stands to something that a similarity puts into the world.
@@ -79,6 +89,10 @@ struct LoopView {
     RayScene rays;
     SeenScene seen;              ///< with exact normals where the models' options say so
     std::vector<CutMesh> meshes; ///< per object, in its own frame
+    std::span<const PlacedLoop> placed;
+
+    /// The same normals for a GPU: from the models' maps, which limit normals are looked up in there too; none where vertices' are to be interpolated.
+    MappedNormals mapped_normals() const;
 };
 /// @param placed  in the order of objects; must outlive the result
 std::unique_ptr<const LoopView> make_loop_view(std::span<const PlacedLoop> placed, const Camera& camera);

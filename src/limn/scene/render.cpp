@@ -77,7 +77,7 @@ Image render(const Scene& scene, const SceneModel& model, const Camera& camera, 
     const SeenScene seen = view ? view->seen : seen_scene(model.lines, model.rays);
     const LineModel& lines = view ? view->lines : model.lines;
     PixelPainter painter(device, [](const std::string&) {});
-    const Image picture = painter.paint({lines, seen, up_vector(up_axis_of(scene))}, camera, pixel_options(scene, lines, seen));
+    const Image picture = painter.paint({lines, seen, up_vector(up_axis_of(scene)), view.get()}, camera, pixel_options(scene, lines, seen));
     if (scene.lines.lines.empty())
         return picture;
     Style style = scene.style;

@@ -14,7 +14,8 @@ struct SubdivisionOptions {
         off,   ///< the control mesh on the limit surface, as it is
     };
     enum class Normals : std::uint8_t {
-        limit,  ///< of the limit surface, for each pixel (on the processor; a GPU interpolates those of vertices)
+        limit,  ///< of the limit surface, for each pixel; a GPU takes `map`, and `vertex` where the faces do not fit into one
+        map,    ///< from a normal map of the limit surface, made in memory
         vertex, ///< those of vertices, interpolated
     };
     Scheme scheme = Scheme::polygons; ///< a mesh is what it is
@@ -25,6 +26,7 @@ struct SubdivisionOptions {
     int depth = 5;              ///< of the seed's search
     int curve_points = 0;       ///< parts of the contour in each face; 0: exact: as outline_error asks; seed: 8
     Normals normals = Normals::limit;
+    int map_size = 1024;        ///< texels along a side of the normal map
     CreaseRule crease_rule = CreaseRule::opensubdiv;
     double sharp_angle = 0;     ///< degrees: ControlOptions::crease_angle
     bool crease_tags = true;
