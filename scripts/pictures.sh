@@ -63,6 +63,15 @@ for shape in creature rook mug bracket leaf bent-cylinder; do
 done
 montage "$models"/{creature,rook,mug,bracket,leaf,bent-cylinder}.png -tile 3x -geometry +2+2 docs/images/control-samples.png
 
+fox() { # fox NAME OPTIONS...
+    build/limn render "$models/creature.obj" --quiet --size 480x400 --view 40,25 -o "$models/fox-$1.png" "${@:2}"
+}
+fox polygons --shading flat
+fox loop --subdivision loop
+fox cut --subdivision loop --surface-error 0 --overlay ADE
+build/limn draw "$models/creature.obj" --quiet --size 480x400 --view 40,25 -o "$models/fox-lines.png" --subdivision loop --lines contour,suggestive
+montage "$models"/fox-{polygons,loop,cut,lines}.png -tile 2x -geometry +2+2 docs/images/silhouettes.png
+
 for space in object tangent; do
     build/limn subdivide docs/pawn.obj --normal-map "$models/map-$space.png" --map-size 512 --space "$space" --quiet -o "$models/mapped.obj"
 done
