@@ -65,7 +65,8 @@ private:
 /// Means, and maxima over all views.
 struct ModelErrors {
     double coarse = 0, seed = 0, exact = 0; ///< px^2: areas
-    double most_coarse = 0, most_seed = 0, most_exact = 0, mean_exact = 0, gaps = 0; ///< px
+    double most_coarse = 0, most_seed = 0, most_exact = 0, mean_exact = 0, gaps = 0; ///< px; gaps: px^2
+    std::size_t worst_view = 0, widest_gap = 0;
 };
 
 ModelErrors measure(const OutlineSubject& subject, int views)
@@ -73,7 +74,12 @@ ModelErrors measure(const OutlineSubject& subject, int views)
     std::vector<ViewErrors> each(std::size_t(views), ViewErrors{});
     parallel_each(each.size(), 1, [&](std::size_t i) { each[i] = subject.measure(any_view(subject.exact().bounds(), int(i))); });
     ModelErrors all;
-    for (const ViewErrors& e : each) {
+    for (std::size_t i = 0; i < each.size(); ++i) {
+        const ViewErrors& e = each[i];
+        if (e.exact.most() > all.most_exact)
+            all.worst_view = i;
+        if (e.gaps > all.gaps)
+            all.widest_gap = i;
         all.coarse += e.coarse.difference / views, all.seed += e.seed.difference / views, all.exact += e.exact.difference / views;
         all.most_coarse = std::max(all.most_coarse, e.coarse.most());
         all.most_seed = std::max(all.most_seed, e.seed.most());
@@ -89,9 +95,9 @@ void check_outlines(const std::vector<NamedMesh>& models, int views)
 {
     for (const auto& [name, mesh] : models) {
         const ModelErrors e = measure(OutlineSubject(mesh), views);
-        EXPECT_LE(e.most_exact, 0.6) << name;
+        EXPECT_LE(e.most_exact, 0.6) << name << ", view " << e.worst_view;
         EXPECT_LE(e.mean_exact, 0.1) << name;
-        EXPECT_EQ(e.gaps, 0) << name;
+        EXPECT_EQ(e.gaps, 0) << name << ", view " << e.widest_gap;
         EXPECT_LE(3 * e.seed, e.coarse) << name;
         fmt::print("{}: symmetric difference {:.1f} px^2 coarse, {:.1f} seed, {:.1f} exact; maximum {:.2f} px coarse, {:.2f} seed, {:.3f} exact, whose mean is up to {:.3f}\n", name,
                    e.coarse, e.seed, e.exact, e.most_coarse, e.most_seed, e.most_exact, e.mean_exact);
@@ -100,7 +106,7 @@ void check_outlines(const std::vector<NamedMesh>& models, int views)
 
 TEST(Outline, IsThatOfTheLimitSurface)
 {
-    check_outlines(outline_models(), 3);
+    check_outlines(outline_models(), 2);
 }
 TEST(Outline, IsThatOfTheLimitSurfaceInManyViewsSlow)
 {
