@@ -57,7 +57,7 @@ template <class F> void time_runs(int runs, Times& times, F&& f)
 
 /// What limn takes with some number of threads.
 struct OwnTimes {
-    Times cold, pose, limit;
+    Times cold, pose, limit, limit_again;
 };
 
 /// What was measured of one control mesh and one number of levels.
@@ -82,6 +82,8 @@ void time_own(const Mesh& mesh, int levels, int runs, OwnTimes& times, Measured&
         measured.posed += posed[level].size();
     LimitSurface limit;
     time_runs(runs, times.limit, [&] { limit_surface(kept.topology(levels), posed.back(), CreaseRule::opensubdiv, limit); });
+    const LimitStep step(kept.topology(levels), CreaseRule::opensubdiv);
+    time_runs(runs, times.limit_again, [&] { step.apply(kept.topology(levels), posed.back(), limit); });
 }
 
 void append(Times& times, const nlohmann::json& more)
@@ -158,7 +160,7 @@ Tables tables_of(const std::vector<Measured>& all)
     Tables tables = {
         MarkdownTable({"control", "levels", "triangles", "limn", "all threads", "Mtri/s", "CGAL", "limn/CGAL", "OpenSubdiv", "limn/OpenSubdiv"}),
         MarkdownTable({"control", "levels", "triangles", "limn", "all threads", "Mvert/s", "OSD refiner", "OSD level stencils", "OSD last stencils", "limn/fastest"}),
-        MarkdownTable({"control", "levels", "triangles", "limn", "all threads", "Mtri/s", "OpenSubdiv", "limn/OpenSubdiv"})};
+        MarkdownTable({"control", "levels", "triangles", "limn once", "once, all threads", "limn again", "again, all threads", "Mtri/s", "OpenSubdiv", "again/OpenSubdiv"})};
     for (const Measured& m : all) {
         const std::vector<std::string> name = {with_thousands(m.control), std::to_string(m.levels), with_thousands(m.triangles)};
         const auto row = [&](std::vector<std::string> cells) {
@@ -173,7 +175,8 @@ Tables tables_of(const std::vector<Measured>& all)
                 fastest = other;
         tables.pose.add(row({median_text(m.one.pose), median_text(m.all.pose), rate_text(m.posed, m.one.pose), median_text(m.osd_refiner),
                              median_text(m.osd_level_stencils), median_text(m.osd_last_stencils), ratio_text(m.one.pose, *fastest)}));
-        tables.limit.add(row({median_text(m.one.limit), median_text(m.all.limit), rate_text(m.triangles, m.one.limit), median_text(m.osd_limit), ratio_text(m.one.limit, m.osd_limit)}));
+        tables.limit.add(row({median_text(m.one.limit), median_text(m.all.limit), median_text(m.one.limit_again), median_text(m.all.limit_again),
+                              rate_text(m.triangles, m.one.limit_again), median_text(m.osd_limit), ratio_text(m.one.limit_again, m.osd_limit)}));
     }
     return tables;
 }
@@ -187,11 +190,11 @@ std::string exponents_text(const std::vector<Measured>& all)
         triangles.push_back(double(m.triangles));
         cold.push_back(median(m.one.cold));
         pose.push_back(median(m.one.pose));
-        limit.push_back(median(m.one.limit));
+        limit.push_back(median(m.one.limit_again));
     }
     if (triangles.size() < 2)
         return "";
-    return fmt::format("\nAt {} levels and one thread, time grows as triangles to the power of {:.2f} (from an index buffer), {:.2f} (other poses), {:.2f} (limit).\n", ladder_levels,
+    return fmt::format("\nAt {} levels and one thread, time grows as triangles to the power of {:.2f} (from an index buffer), {:.2f} (other poses), {:.2f} (limit again).\n", ladder_levels,
                        scaling_exponent(triangles, cold), scaling_exponent(triangles, pose), scaling_exponent(triangles, limit));
 }
 
@@ -209,7 +212,7 @@ std::string errors_text(const MarkdownTable& errors)
 std::string peers_text(const Peers& peers)
 {
     const auto how = [](const std::optional<std::string>& found) { return found ? "" : " (not found: no numbers)"; };
-    return fmt::format("Peers run on one thread as programs of their own, `cgal_loop`{}, `opensubdiv_levels`{} and `opensubdiv_limit`{}: built with `-DLIMN_BENCH=ON -DLIMN_PEERS=ON`, and found "
+    return fmt::format("Peers run on one thread as programs of their own, `cgal_loop`{}, `opensubdiv_levels`{} and `opensubdiv_limit`{}: built with `-DLIMN_BENCH=ON -DLIMN_PEERS=ON`, with limn's way to get memory, and found "
                        "in the folder `bench` beside `limn`, or on the PATH.",
                        how(peers.cgal), how(peers.opensubdiv), how(peers.limit));
 }
@@ -223,8 +226,9 @@ std::string bench_text(const SubdivisionBench& bench, const Peers& peers, const 
         "`TopologyRefiner`, `RefineUniform`, and `PrimvarRefiner` level by level):\n\n{}\n"
         "Another pose of a mesh whose topology was kept: the positions of all levels (OpenSubdiv, *refiner*: `PrimvarRefiner` level by level; *level stencils*: "
         "`CpuEvaluator` with stencils of every level; *last stencils*: only the last level, with stencils in the control mesh's vertices):\n\n{}\n"
-        "Limit positions and unit normals of the last level, into memory of the run before (limn: a normal for each corner, since creases have two; OpenSubdiv: "
-        "`PrimvarRefiner::Limit`, a normal for each vertex):\n\n{}{}{}",
+        "Limit positions and unit normals of the last level, into memory of the run before (limn: a normal for each vertex and each "
+        "corner, since creases have two; *again*: with rings written down once for all poses, `LimitStep`; OpenSubdiv: `PrimvarRefiner::Limit` of a refined topology, a "
+        "normal for each vertex):\n\n{}{}{}",
         LIMN_VERSION, machine_name(), tbb::this_task_arena::max_concurrency(), bench.model, rounds * bench.runs, rounds, peers_text(peers), tables.cold.text(),
         tables.pose.text(), tables.limit.text(), exponents, errors_text(tables.errors));
 }

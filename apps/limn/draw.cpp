@@ -20,6 +20,7 @@ constexpr const char* examples = R"(Examples:
   limn draw base.obj lid.obj -o both.pdf --scale 1:2 --page A3
   limn draw vase.glb -o turn.svg --turntable 24
   limn draw scene.json -o scene.svg --lines technical
+  limn draw creature.obj -o creature.svg --subdivision loop --lines contour,suggestive
   cat bunny.ply | limn draw - --from ply -o - --to svg > bunny.svg)";
 
 struct DrawCommand {

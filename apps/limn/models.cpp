@@ -1,6 +1,7 @@
 #include "models.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -21,11 +22,32 @@ namespace {
 struct Loaded {
     PreparedMesh prepared;
     Input input;
+    std::shared_ptr<const LoopModel> loop; ///< where it is a control mesh
 };
 
-/// @param tell  tell(what, part of this file's work)
-template <class Tell> Loaded load(const SceneObject& object, const PrepareOptions& options, Models& models, Tell&& tell)
+/// The numbers that the faces of a fine mesh have in the control mesh's file.
+std::vector<std::uint32_t> control_numbers(const LoopModel& loop, std::size_t fine_faces, const std::vector<std::uint32_t>& numbers)
 {
+    std::size_t faces_of_one = fine_faces / loop.face_count();
+    for (int i = 0; i < loop.base_levels(); ++i)
+        faces_of_one *= 4;
+    std::vector<std::uint32_t> out(fine_faces);
+    for (std::size_t f = 0; f < fine_faces; ++f)
+        out[f] = numbers.empty() ? std::uint32_t(f / faces_of_one) : numbers[f / faces_of_one];
+    return out;
+}
+
+/// Takes the fine mesh of a control mesh.
+void take_fine(Loaded& loaded, int levels, Need need, const std::vector<std::uint32_t>& numbers)
+{
+    loaded.prepared = loaded.loop->fine_mesh(levels, need);
+    loaded.input.face_numbers = control_numbers(*loaded.loop, loaded.prepared.mesh.triangles.size(), numbers);
+}
+
+/// @param tell  tell(what, part of this file's work)
+template <class Tell> Loaded load(const SceneObject& object, const ModelOptions& all, Models& models, Tell&& tell)
+{
+    const PrepareOptions& options = all.prepare;
     const std::string file = object.file.string(), name = file == "-" ? "standard input" : object.file.filename().string();
     tell("reading " + name, 0.0);
     Stopwatch watch;
@@ -37,6 +59,14 @@ template <class Tell> Loaded load(const SceneObject& object, const PrepareOption
     loaded.input.vertices = read.mesh.positions.size();
     loaded.input.triangles = read.mesh.triangles.size();
     loaded.input.notes = read.notes;
+    if (all.subdivision.scheme == SubdivisionOptions::Scheme::loop) {
+        tell("subdividing " + name, 0.3);
+        loaded.loop = std::make_shared<const LoopModel>(read.mesh, all.subdivision);
+        loaded.input.notes.insert(loaded.input.notes.end(), loaded.loop->notes().begin(), loaded.loop->notes().end());
+        take_fine(loaded, levels_for_whole(*loaded.loop, all.subdivision.outline_error), options.estimate.need, read.mesh.face_numbers);
+        models.surface_seconds += watch.lap();
+        return loaded;
+    }
     loaded.input.face_numbers = std::move(read.mesh.face_numbers);
     tell("estimating the surface of " + name, 0.3);
     loaded.prepared = prepare_mesh(std::move(read.mesh), options);
@@ -71,6 +101,16 @@ std::size_t count_flat_faces(const LineModel& model, std::uint32_t first, std::u
     return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
 }
 
+double scale_of(const dmat4& similarity) { return std::cbrt(std::abs(glm::determinant(dmat3(similarity)))); }
+
+/// What so many pixels are at the nearest point of a box that the camera has before it.
+double pixels_to_length(const Camera& camera, const Bounds& bounds, double pixels)
+{
+    constexpr double least = 0.01; // of the box, where the camera is inside it
+    const double depth = glm::dot(bounds.centre() - camera.eye, camera.forward()) - bounds.radius();
+    return pixels / camera.pixels_per_unit(std::max(depth, least * bounds.radius()));
+}
+
 } // namespace
 
 Bounds Models::bounds() const
@@ -103,9 +143,11 @@ Models prepare_models(const ModelOptions& options, Console& console, double shar
         const SceneObject& object = options.objects[i];
         const auto tell = [&](const std::string& what, double part) { console.progress(what, for_files * (double(i) + part)); };
         if (first[i] == i)
-            loaded.emplace(i, load(object, options.prepare, models, tell));
+            loaded.emplace(i, load(object, options, models, tell));
         const Loaded& model = loaded.at(first[i]);
         placed.push_back(model.prepared.placed(object.transform));
+        if (model.loop)
+            models.loops.push_back({model.loop, object.transform});
         Input& input = models.inputs.emplace_back(model.input);
         input.name = object.name;
         input.transform = object.transform;
@@ -117,11 +159,48 @@ Models prepare_models(const ModelOptions& options, Console& console, double shar
     Stopwatch watch;
     models.lines = build_line_model(placed);
     for (std::size_t object = 0; object < models.inputs.size(); ++object) {
-        if (first[object] != object)
+        if (first[object] != object || !models.loops.empty()) // borders of control meshes are meant to be there
             continue;
         const std::vector<std::string> more = topology_notes(models.lines, object);
         models.inputs[object].notes.insert(models.inputs[object].notes.end(), more.begin(), more.end());
     }
     models.merge_seconds = watch.lap();
     return models;
+}
+
+void refine_for(Models& models, std::span<const Camera> cameras, const ModelOptions& options)
+{
+    std::map<const LoopModel*, int> levels;
+    const double pixels = 0.5 * options.subdivision.outline_error;
+    bool finer = false;
+    for (std::size_t i = 0; i < models.loops.size(); ++i) {
+        const PlacedLoop& object = models.loops[i];
+        int& most = levels.try_emplace(object.model.get(), levels_for_whole(*object.model, options.subdivision.outline_error)).first->second;
+        for (const Camera& camera : cameras) {
+            const double error = pixels_to_length(camera, models.inputs[i].bounds, pixels) / scale_of(object.transform);
+            const int wanted = levels_for(*object.model, error);
+            finer = finer || wanted > most;
+            most = std::max(most, wanted);
+        }
+    }
+    if (!finer)
+        return;
+    Stopwatch watch;
+    std::map<const LoopModel*, PreparedMesh> meshes;
+    std::vector<PlacedSurface> placed;
+    for (std::size_t i = 0; i < models.loops.size(); ++i) {
+        const PlacedLoop& object = models.loops[i];
+        const LoopModel& loop = *object.model;
+        if (!meshes.contains(&loop))
+            meshes.emplace(&loop, loop.fine_mesh(levels.at(&loop), options.prepare.estimate.need));
+        placed.push_back(meshes.at(&loop).placed(object.transform));
+        std::vector<std::uint32_t>& numbers = models.inputs[i].face_numbers;
+        const std::size_t fine = meshes.at(&loop).mesh.triangles.size(), times = fine / numbers.size();
+        std::vector<std::uint32_t> finer_numbers(fine);
+        for (std::size_t f = 0; f < fine; ++f)
+            finer_numbers[f] = numbers[f / times];
+        numbers = std::move(finer_numbers);
+    }
+    models.lines = build_line_model(placed);
+    models.surface_seconds += watch.lap();
 }

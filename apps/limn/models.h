@@ -7,12 +7,14 @@
 #include "common.h"
 #include "console.h"
 #include "limn/lines/prepare.h"
+#include "limn/scene/loop_model.h"
 #include "limn/scene/scene.h"
 
 /// What is read and how it is prepared.
 struct ModelOptions {
     std::vector<limn::SceneObject> objects; ///< all with files
     limn::PrepareOptions prepare;
+    limn::SubdivisionOptions subdivision;
 };
 
 /// What is worth telling of a model that was read.
@@ -31,6 +33,7 @@ struct Input {
 struct Models {
     limn::LineModel lines;
     std::vector<Input> inputs;
+    std::vector<limn::PlacedLoop> loops; ///< the objects, where they are control meshes; `lines` then has fine meshes
     double read_seconds = 0, surface_seconds = 0, merge_seconds = 0;
 
     limn::Bounds bounds() const;
@@ -41,6 +44,9 @@ struct Models {
 /// @param share  part of the run that this takes, in (0,1]; for the progress
 /// @throws limn::Error::Read naming the file that cannot be read.
 Models prepare_models(const ModelOptions& options, Console& console, double share = 1);
+
+/// Makes the fine meshes of control meshes anew where a camera asks for more than they have.
+void refine_for(Models& models, std::span<const limn::Camera> cameras, const ModelOptions& options);
 
 /// "3 border edges", "2 non-manifold edges", "4 edges with inconsistent winding", "1 zero-area face": of one object of a model; empty for a clean closed one.
 std::vector<std::string> topology_notes(const limn::LineModel& model, std::size_t object);

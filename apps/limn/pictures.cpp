@@ -27,7 +27,11 @@ struct Stage {
     const RayScene& rays;
     LineFeatures features;
     SeenScene seen;
-    SeenModel model() const { return {models.lines, seen, up_vector(up_axis_of(command.view, models.inputs.front().format))}; }
+    /// @param view  of control meshes for one camera, or null: the same for all
+    SeenModel model(const LoopView* view) const
+    {
+        return {view ? view->lines : models.lines, view ? view->seen : seen, up_vector(up_axis_of(command.view, models.inputs.front().format)), view};
+    }
 };
 
 /// What is kept from view to view.
@@ -36,6 +40,7 @@ struct Progress {
     std::size_t drawn = 0;
     ClusterHistory history;
     Times times;
+    std::unique_ptr<const LoopView> loop_view; ///< of the last camera
     DrawnView& next() { return views[drawn++]; }
 };
 
@@ -60,7 +65,11 @@ Drawing draw_view(const Stage& stage, Progress& progress)
         view.clusters = {progress.history.survivors, progress.history.since_bounded == 0};
     number_faces_as_in_files(drawing, stage.models.inputs);
     Stopwatch watch;
-    stage.hooks.underlay(drawing, stage.model());
+    if (stage.command.shades_cut_meshes && !stage.models.loops.empty())
+        progress.loop_view = make_loop_view(stage.models.loops, view.camera);
+    stage.hooks.underlay(drawing, stage.model(progress.loop_view.get()));
+    if (stage.hooks.overlay && progress.loop_view)
+        stage.hooks.overlay(drawing, *progress.loop_view, stage.models);
     progress.times.shade += watch.lap();
     return drawing;
 }
@@ -159,6 +168,14 @@ std::vector<Sheet> all_sheets(const PictureCommand& command, const Models& model
     return {place_cameras(command.view, subject, up_axis)};
 }
 
+std::vector<Camera> cameras_of(const std::vector<Sheet>& sheets)
+{
+    std::vector<Camera> cameras;
+    for (const Sheet& sheet : sheets)
+        cameras.insert(cameras.end(), sheet.cameras.begin(), sheet.cameras.end());
+    return cameras;
+}
+
 /// The views of a run before they are drawn: where their eyes are is known before a file is written.
 std::vector<DrawnView> views_of(const Stage& stage, const std::vector<Sheet>& sheets)
 {
@@ -183,7 +200,7 @@ std::vector<std::string> draw_all(const Stage& stage, const std::vector<Sheet>& 
             if (sheets_are_numbered(command))
                 file.path = numbered(file.path, int(i));
             Stopwatch watch;
-            for (std::string& name : stage.hooks.write(drawing, stage.model(), file))
+            for (std::string& name : stage.hooks.write(drawing, stage.model(progress.loop_view.get()), file))
                 written.push_back(std::move(name));
             progress.times.write += watch.lap();
         }
@@ -199,6 +216,7 @@ void add_picture_options(CLI::App& app, PictureCommand& command, const std::stri
     add_table_options(app, line_option_table(), command.lines, "Lines");
     add_table_options(app, style_option_table(), command.style, "Look and page");
     add_table_options(app, estimate_option_table(), command.model.prepare.estimate, "Surface");
+    add_table_options(app, subdivision_option_table(), command.model.subdivision, "Subdivision");
     app.add_option("--from", command.from, "format of the models, whatever their names end in")->type_name("FORMAT")->group("Input");
     app.add_option("--cache", command.model.prepare.cache, "keep estimated surfaces in this folder, and use them again")
         ->type_name("FOLDER")
@@ -230,7 +248,10 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
 
     command.model.prepare.estimate.need = std::max(command.need, surface_need(command.lines));
     command.model.prepare.crease.angle = command.lines.crease_angle;
-    const Models models = prepare_models(command.model, console, 0.8 * preparing(command));
+    Models models = prepare_models(command.model, console, 0.8 * preparing(command));
+    const std::vector<Sheet> sheets = all_sheets(command, models);
+    if (!models.loops.empty() && !command.lines.lines.empty())
+        refine_for(models, cameras_of(sheets), command.model);
     Progress progress;
     Stopwatch watch;
     console.progress("building the ray tracer's tree", 0.8 * preparing(command));
@@ -239,7 +260,6 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     console.progress("finding creases and borders", 0.95 * preparing(command));
     const Stage stage = {command, hooks, models, rays, find_line_features(models.lines, command.lines, std::max(command.turntable, 1)), seen_scene(models.lines, rays)};
     progress.times.features = watch.lap();
-    const std::vector<Sheet> sheets = all_sheets(command, models);
     progress.views = views_of(stage, sheets);
     const Warnings warnings = warnings_of(models, progress.views);
     settle(warnings, command.common, console); // before the first file, so that --strict leaves none
@@ -247,6 +267,6 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     progress.times.total = total.total();
     if (command.common.json)
         write_file("-", draw_report(command.name, hooks.device ? hooks.device() : "processor", models, progress.views, written, warnings, progress.times));
-    console.finish(fmt::format("{}: {}, {}, {}", what_was_written(written), counted(models.triangle_count(), "triangle"),
+    console.finish(fmt::format("{}: {}, {}, {}", what_was_written(written), counted(progress.loop_view ? progress.loop_view->lines.faces.size() : models.triangle_count(), "triangle"),
                                counted(stroke_count(progress.views), "stroke"), seconds_text(progress.times.total)));
 }

@@ -23,6 +23,7 @@ struct PictureCommand {
     limn::LineOptions lines;
     limn::Style style;
     limn::Need need = limn::Need::normals; ///< of the surface, besides what the lines need
+    bool shades_cut_meshes = false;        ///< control meshes are shaded as cut for each camera; lines are always drawn of fine ones
     bool uses_gpu = false;            ///< the subcommand has a way to compute on the GPU
     int turntable = 0;                ///< frames; 0: one picture
     std::string cameras;              ///< JSON file with a list of cameras, or ""
@@ -32,6 +33,8 @@ struct PictureCommand {
 struct PictureHooks {
     /// Puts what lies under the lines of one view into its drawing.
     std::function<void(limn::Drawing&, const limn::SeenModel&)> underlay;
+    /// Lays over that what explains how control meshes were cut; absent: nothing.
+    std::function<void(limn::Drawing&, const limn::LoopView&, const Models&)> overlay;
     /// Writes a picture to one of the files asked for, and returns the names of all that it wrote.
     std::function<std::vector<std::string>(const limn::Drawing&, const limn::SeenModel&, const Output&)> write;
     /// Where pixels were computed, once all pictures are written; absent: on the processor.

@@ -12,6 +12,7 @@
 #include "limn/drawing/png.h"
 #include "limn/drawing/raster.h"
 #include "limn/lines/feature_size.h"
+#include "limn/scene/overlay.h"
 #include "limn/scene/passes.h"
 #include "limn/scene/pixel_painter.h"
 #include "limn/scene/render_options.h"
@@ -30,6 +31,8 @@ constexpr const char* examples = R"(Examples:
   limn render part.stl -o part.png --background '#ffffff' --view 30,20 --size 1280x720 --bits 16
   limn render vase.glb -o turn.png --turntable 24
   limn render scene.json -o scene.png --view 30,20
+  limn render creature.obj -o creature.png --subdivision loop
+  limn render creature.obj -o how.png --subdivision loop --overlay DE
   limn render bunny.ply -o data.exr --pass kr,depth,normal,id --cameras cameras.json)";
 
 struct RenderCommand {
@@ -39,6 +42,7 @@ struct RenderCommand {
     ImageLineOptions image_lines;
     ShaderLineOptions shader_lines;
     std::string passes;
+    std::string overlay; ///< letters of draw_overlay
 };
 
 /// "data-kr.exr" beside "data.exr".
@@ -142,6 +146,9 @@ void run(const CLI::App& app, RenderCommand& command)
     PictureCommand& pictures = command.pictures;
     if (!pictures.style.page.empty())
         throw Error::Input("--page: 'limn render' makes pictures, not pages; 'limn draw --shade smooth' writes pages");
+    check_overlay(command.overlay);
+    if (!command.overlay.empty() && pictures.model.subdivision.scheme != SubdivisionOptions::Scheme::loop)
+        throw Error::Input("--overlay shows how control meshes are drawn; give --subdivision loop too");
     const std::vector<Pass> passes = passes_of(command);
     check_passes(command, passes);
     pictures.need = pass_need(passes);
@@ -150,6 +157,10 @@ void run(const CLI::App& app, RenderCommand& command)
     PictureHooks hooks;
     PixelPainter painter(pictures.common.device, say_on_standard_error);
     hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { drawing.background = painter.paint(model, drawing.camera, pixel_options(command, model)); };
+    if (!command.overlay.empty())
+        hooks.overlay = [&](Drawing& drawing, const LoopView& view, const Models& models) {
+            drawing.background = draw_overlay(drawing.background, view, models.loops, drawing.camera, command.overlay);
+        };
     hooks.device = [&] { return painter.device(); };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
@@ -169,6 +180,7 @@ Subcommand add_render(CLI::App& limn)
     auto command = std::make_shared<RenderCommand>();
     command->pictures.name = "render";
     command->pictures.uses_gpu = true;
+    command->pictures.shades_cut_meshes = true;
     command->pictures.formats = {"png", "exr"};
     command->pictures.lines.lines.clear();
     CLI::App* app = limn.add_subcommand("render", "Render shaded pictures of models, with or without lines, and their ingredient images");
@@ -179,6 +191,10 @@ Subcommand add_render(CLI::App& limn)
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id,lines (or all) to FILE-PASS, and their scales to FILE-passes.json")
         ->type_name("PASS,...")
         ->group("Shading");
+    app->add_option("--overlay", command->overlay,
+                    "with --subdivision loop, how the picture came about: A control mesh, B its edges with normals, C crossings, D contour, E triangles, F none")
+        ->type_name("LETTERS")
+        ->group("Subdivision");
     add_picture_options(*app, command->pictures, "file to write; may be given several times: png, exr; '-' is standard output");
     return {app, [command, app] { with_threads(command->pictures.common.threads, [&] { run(*app, *command); }); }};
 }

@@ -78,6 +78,7 @@ std::optional<Scene> take_files(const CLI::App& app, PictureCommand& command)
         command.lines.lines = usual_lines;
     take_options(app, style_option_table(), scene->style, command.style);
     take_options(app, estimate_option_table(), scene->surface, command.model.prepare.estimate);
+    take_options(app, subdivision_option_table(), scene->subdivision, command.model.subdivision);
     if (scene->view.up_axis != 0 && !is_given(app, {"--up-axis"}))
         command.view.up_axis = std::string(1, scene->view.up_axis);
     take_view(app, scene->view, command.view);

@@ -103,7 +103,7 @@ TEST(Bench, SubdivisionGoesDownFiveLevelsAndUpTheSizes)
             EXPECT_EQ(rows[i]["levels"], i < 5 ? std::to_string(i + 1) : "3") << table;
             EXPECT_EQ(rows[i]["triangles"], triangles[i]) << table;
         }
-        EXPECT_GT(std::stod(rows[4]["limn"].get<std::string>()), 0) << rows[4];
+        EXPECT_GT(std::stod(rows[4][std::string(table) == "limit_ms" ? "limn once" : "limn"].get<std::string>()), 0) << rows[4];
     }
     EXPECT_EQ(run_limn(LIMN_COMMAND, "bench subdivision --models torus,blob --quiet").exit_code, 2);
 }

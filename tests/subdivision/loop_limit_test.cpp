@@ -47,18 +47,38 @@ TEST(LoopLimit, DoesNotChangeWhenTheMeshIsRefined)
         }
 }
 
+/// A mesh is pushed vertex by vertex without gathering most rings; single points are found the long way.
 TEST(LoopLimit, OfOneCornerIsThatOfTheWholeMesh)
 {
+    std::vector<std::pair<std::string, Mesh>> meshes = various_meshes();
+    meshes.emplace_back("valence 40", shaken(double_pyramid(40), 0.05));
+    meshes.emplace_back("no tangent planes", Mesh());
+    meshes.back().second.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    meshes.back().second.triangles = {{0, 1, 2}, {0, 2, 1}};
+    meshes.emplace_back("vertex without faces", octahedron());
+    meshes.back().second.positions.push_back({5, 6, 7});
     for (const CreaseRule rule : every_rule)
-        for (const auto& [name, mesh] : various_meshes()) {
-            const ControlMesh control = make_control_mesh(mesh);
-            const LimitSurface all = limit_surface(control.topology, control.positions, rule);
-            for (std::uint32_t h = 0; h < control.topology.twin.size(); ++h) {
-                const LimitPoint one = limit_point(control.topology, control.positions, h, rule);
-                ASSERT_EQ(one.position, all.positions[control.topology.start(h)]) << name;
-                ASSERT_LT(glm::distance(one.normal, all.normals[h]), 1e-12) << name;
+        for (const auto& [name, mesh] : meshes)
+            for (const int levels : {0, 2}) {
+                const Refined fine = refined(mesh, levels, rule);
+                LimitSurface limit;
+                limit.positions.resize(1, dvec3(7)), limit.normals.resize(2, dvec3(7)); // of another mesh
+                limit_surface(fine.topology, fine.positions, rule, limit);
+                const std::vector<dvec3> positions = limit_positions(fine.topology, fine.positions, rule);
+                ASSERT_TRUE(positions == limit.positions) << name;
+                LimitSurface kept;
+                LimitStep(fine.topology, rule).apply(fine.topology, fine.positions, kept);
+                ASSERT_TRUE(kept.positions == limit.positions && kept.normals == limit.normals && kept.vertex_normals == limit.vertex_normals) << name;
+                for (std::uint32_t v = 0; v < fine.topology.vertex_count(); ++v) {
+                    const std::uint32_t h = fine.topology.leaving[v];
+                    ASSERT_EQ(limit.vertex_normals[v], h == none ? dvec3(0) : limit.normals[h]) << name << ", vertex " << v;
+                }
+                for (std::uint32_t h = 0; h < fine.topology.twin.size(); ++h) {
+                    const LimitPoint point = limit_point(fine.topology, fine.positions, h, rule);
+                    ASSERT_EQ(point.position, limit.positions[fine.topology.start(h)]) << name << ", half-edge " << h;
+                    ASSERT_EQ(point.normal, limit.normals[h]) << name << ", half-edge " << h;
+                }
             }
-        }
 }
 
 /// The spokes of the sector that face `face` lies in, from its first to its last; all of them where there are fewer than two creases.

@@ -7,8 +7,9 @@
 namespace limn::gpu {
 namespace {
 
-/// As in lit.frag and lit_gather.comp.
-enum Binding : unsigned { objects_at = ModelBuffers::first_free, sums_at };
+/// As in lit.vert, lit.frag and lit_gather.comp.
+enum Binding : unsigned { objects_at = ModelBuffers::first_free, sums_at, uvs_at, parts_at };
+constexpr unsigned maps_texture = 1;
 
 struct Colours {
     vec4 dark, light;
@@ -21,6 +22,19 @@ std::vector<Colours> colours_of(const LineModel& m, const ShadeOptions& options)
     for (std::size_t i = 0; i < options.materials.size(); ++i)
         colours[i] = {vec4(options.materials[i].dark(), 1), vec4(options.materials[i].colour, 1)};
     return colours;
+}
+
+/// As in lit.frag.
+struct Part {
+    vec4 x_layer, y, z;
+};
+
+std::vector<Part> parts_of(const MappedNormals& normals)
+{
+    std::vector<Part> parts;
+    for (const MappedNormals::Part& part : normals.parts)
+        parts.push_back({vec4(part.rotation[0], float(part.map)), vec4(part.rotation[1], 0), vec4(part.rotation[2], 0)});
+    return parts;
 }
 
 /// What does not change from sample to sample.
@@ -37,7 +51,7 @@ void set_surface(const Program& program, const LineModel& model, const View& vie
     set_light(program, model, options);
     program.set("eye", view.eye);
     program.set("orthographic", int(view.orthographic));
-    program.set("flat_shading", int(options.shading == Shading::flat));
+    program.set("shading", int(options.shading));
 }
 
 void set_backdrop(const Program& program, const LineModel& model, const Projector& projector, const ShadeOptions& options)
@@ -80,10 +94,13 @@ Image image_of(const std::vector<vec4>& pixels, ivec2 size)
 
 } // namespace
 
-LitRenderer::LitRenderer(const LineModel& model, int largest_tile)
+LitRenderer::LitRenderer(const LineModel& model, int largest_tile, const MappedNormals& normals)
     : model_(model), largest_tile_(largest_tile), surface_(load_program({"lit.vert", "lit.frag"})), backdrop_(load_program({"fill.vert", "backdrop.frag"})),
       gather_(load_program({"lit_gather.comp"})), resolve_(load_program({"lit_resolve.comp"})), buffers_(model), no_vertices_(make_vertex_array())
 {
+    if (!normals.empty())
+        maps_ = Maps{Buffer(normals.uvs), Buffer(parts_of(normals)), make_texture_array(normals.maps)};
+    surface_.set("mapped", int(maps_.has_value()));
 }
 
 void LitRenderer::draw(const Framebuffer& picture, const Projector& projector, const Tile& tile, const dvec2& offset) const
@@ -98,7 +115,7 @@ void LitRenderer::draw(const Framebuffer& picture, const Projector& projector, c
     glEnable(GL_DEPTH_TEST);
     surface_.set("to_clip", clip_matrix(projector, tile, offset));
     surface_.use();
-    buffers_.draw();
+    maps_ ? buffers_.draw_corners() : buffers_.draw();
 }
 
 Image LitRenderer::draw_tile(const Projector& projector, const Tile& tile, int samples) const
@@ -127,6 +144,11 @@ Image LitRenderer::render(const Camera& camera, const ShadeOptions& options) con
     const Buffer colours(colours_of(model_, options));
     buffers_.bind();
     colours.bind_storage(objects_at);
+    if (maps_) {
+        maps_->uvs.bind_storage(uvs_at);
+        maps_->parts.bind_storage(parts_at);
+        bind_texture(maps_->texture, maps_texture);
+    }
     glDisable(GL_CULL_FACE);
     Image picture(camera.size, 3);
     for (const Tile& tile : tiles_of(camera.size, largest_tile_)) {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "limn/base/image.h"
 #include "limn/camera/camera.h"
 #include "limn/gpu/clip.h"
 #include "limn/gpu/model_buffers.h"
 #include "limn/gpu/program.h"
 #include "limn/lines/line_model.h"
+#include "limn/raycast/mapped_normals.h"
 #include "limn/raycast/shading.h"
 
 namespace limn::gpu {
@@ -15,8 +18,9 @@ namespace limn::gpu {
 class LitRenderer {
 public:
     /// @param largest_tile  pixels along an edge of what is drawn at once; larger pictures are put together from tiles
+    /// @param normals  taken for the model's own where there are any, except in gouraud and flat shading; not needed afterwards
     /// @throws Error::Device where the model does not fit.
-    explicit LitRenderer(const LineModel& model, int largest_tile = 2048);
+    explicit LitRenderer(const LineModel& model, int largest_tile = 2048, const MappedNormals& normals = {});
     /// @throws Error::Input as shade(), Error::Device where a tile does not fit.
     Image render(const Camera& camera, const ShadeOptions& options = {}) const;
 
@@ -29,6 +33,11 @@ private:
     int largest_tile_;
     Program surface_, backdrop_, gather_, resolve_;
     ModelBuffers buffers_;
+    struct Maps {
+        Buffer uvs, parts;
+        Texture texture;
+    };
+    std::optional<Maps> maps_;
     VertexArray no_vertices_;
 };
 

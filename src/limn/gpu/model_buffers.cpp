@@ -44,4 +44,11 @@ void ModelBuffers::draw() const
     glBindVertexArray(0);
 }
 
+void ModelBuffers::draw_corners() const
+{
+    glBindVertexArray(array.id());
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * face_count()));
+    glBindVertexArray(0);
+}
+
 } // namespace limn::gpu

@@ -18,7 +18,8 @@ struct ModelBuffers {
     /// @throws Error::Device where the model does not fit.
     explicit ModelBuffers(const LineModel& model);
     void bind() const;
-    void draw() const; ///< every face, with the program in use
+    void draw() const;         ///< every face, with the program in use
+    void draw_corners() const; ///< the same, where the program looks up the corners in `faces` itself
     std::size_t face_count() const { return faces.bytes() / sizeof(uvec3); }
 };
 

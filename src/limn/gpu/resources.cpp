@@ -103,6 +103,21 @@ Texture make_mipmaps(const std::vector<Image>& levels)
     return texture;
 }
 
+Texture make_texture_array(const std::vector<const Image*>& layers)
+{
+    unsigned id = 0;
+    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
+    Texture texture(id);
+    const ivec2 size = layers[0]->size();
+    glTextureStorage3D(id, 1, GL_RGBA16, size.x, size.y, GLsizei(layers.size()));
+    for (std::size_t k = 0; k < layers.size(); ++k)
+        glTextureSubImage3D(id, 0, 0, 0, GLint(k), size.x, size.y, 1, layers[k]->channels == 3 ? GL_RGB : GL_RGBA, GL_FLOAT, layers[k]->samples.data());
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    check_room(fmt::format("{} textures of {} x {}", layers.size(), size.x, size.y));
+    return texture;
+}
+
 void bind_texture(const Texture& texture, unsigned binding) { glBindTextureUnit(binding, texture.id()); }
 
 Framebuffer::Framebuffer(ivec2 size, const std::vector<Format>& colours) : size_(size)

@@ -77,6 +77,10 @@ Texture make_texture(Format format, ivec2 size);
 /// its border repeated. The first row of an image has t = 0. @throws Error::Device where the device has no room.
 Texture make_mipmaps(const std::vector<Image>& levels);
 
+/// An array of RGBA textures of 16 bits a channel, without filtering, from pictures of one size with 3 or 4 channels of 0 to 1: a layer each. The first row of an
+/// image has t = 0. @throws Error::Device where the device has no room.
+Texture make_texture_array(const std::vector<const Image*>& layers);
+
 /// For the sampler at a binding point.
 void bind_texture(const Texture& texture, unsigned binding);
 

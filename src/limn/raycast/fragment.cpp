@@ -61,12 +61,15 @@ Fragment FragmentTracer::at(const dvec2& pixel) const
     const float weight = 1 - hit.u - hit.v;
     fragment.object = hit.object;
     fragment.triangle = hit.triangle;
+    fragment.u = hit.u, fragment.v = hit.v;
     fragment.position = weight * a + hit.u * b + hit.v * c;
     fragment.depth = float(scene_.scale * (skipped + double(hit.distance)) * glm::dot(direction, forward_));
     fragment.to_eye = vec3(-direction);
     fragment.face_normal = unit_or(glm::cross(b - a, c - a), fragment.to_eye);
     fragment.normal = fragment.face_normal;
-    if (!object.normals.empty())
+    if (object.normal_at)
+        fragment.normal = object.normal_at(hit.triangle, hit.u, hit.v);
+    else if (!object.normals.empty())
         fragment.normal = unit_or(weight * object.normals[t.x] + hit.u * object.normals[t.y] + hit.v * object.normals[t.z], fragment.face_normal);
     return fragment;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,10 +10,14 @@
 
 namespace limn {
 
+/// A surface's normal (unit) at a place of a triangle, whose corners 1 and 2 have the weights u and v. Called from many threads.
+using NormalAt = std::function<vec3(std::uint32_t triangle, float u, float v)>;
+
 /// One object of a RayScene with what pictures need of it.
 struct SeenObject {
     RayTriangles triangles;
     std::span<const vec3> normals; ///< one per vertex, unit; empty: those of the triangles
+    NormalAt normal_at = {};       ///< where it is given, fragments have these normals, not interpolated ones
 };
 
 /// What a camera looks at. `objects` are those that `rays` was built from, in the same order; their coordinates are
@@ -34,9 +39,10 @@ struct SeenScene {
 /// What is seen at one place of a picture. Without a hit only `object` (none) has a meaning.
 struct Fragment {
     std::uint32_t object = none, triangle = none;
+    float u = 0, v = 0;             ///< weights of the triangle's corners 1 and 2
     float depth = 0;                ///< along the viewing direction, world units
     vec3 position = vec3(0);        ///< in the frame of the scene
-    vec3 normal = vec3(0);          ///< interpolated from the vertices, unit
+    vec3 normal = vec3(0);          ///< interpolated from the vertices, or what normal_at has there; unit
     vec3 face_normal = vec3(0);     ///< of the triangle, unit
     vec3 to_eye = vec3(0);          ///< unit
     bool hit() const { return object != none; }

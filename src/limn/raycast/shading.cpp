@@ -49,6 +49,8 @@ struct Shader {
     vec3 to_light; ///< zero: headlight
     std::optional<vec3> lamp; ///< in the frame of the scene
     std::optional<GroundPlane> plane; ///< all objects are above it: it hides none
+    vec3 eye; ///< in the frame of the scene; of parallel projection the direction towards it
+    bool orthographic;
     FragmentTracer tracer;
 
     float tone(const vec3& position, const vec3& normal, const vec3& to_eye) const
@@ -56,6 +58,18 @@ struct Shader {
         const vec3 d = lamp ? *lamp - position : vec3(0);
         const vec3 towards = d != vec3(0) ? glm::normalize(d) : to_light != vec3(0) ? to_light : to_eye;
         return formulas::surface_tone(normal, to_eye, towards, options.toon_limit, options.shading == Shading::toon ? float(options.toon_levels) : 0.0f);
+    }
+    float tone_between_vertices(const Fragment& fragment) const
+    {
+        const SeenObject& object = scene.objects[fragment.object];
+        const float weights[3] = {1 - fragment.u - fragment.v, fragment.u, fragment.v};
+        float sum = 0;
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = object.triangles.triangles[fragment.triangle][k];
+            const vec3& position = object.triangles.positions[vertex];
+            sum += weights[k] * tone(position, object.normals[vertex], orthographic ? eye : glm::normalize(eye - position));
+        }
+        return sum;
     }
     Tones tones_of(const Fragment& fragment) const
     {
@@ -78,6 +92,10 @@ struct Shader {
         if (!fragment.hit())
             return backdrop(pixel);
         const vec3& normal = options.shading == Shading::flat ? fragment.face_normal : fragment.normal;
+        if (options.shading == Shading::normals)
+            return formulas::normal_colour(normal);
+        if (options.shading == Shading::gouraud && !scene.objects[fragment.object].normals.empty())
+            return tones_of(fragment).at(tone_between_vertices(fragment));
         return tones_of(fragment).at(tone(fragment.position, normal, fragment.to_eye));
     }
 };
@@ -112,7 +130,8 @@ Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& op
     const vec3 to_light = options.to_light ? vec3(glm::normalize(*options.to_light)) : vec3(0);
     const std::optional<vec3> lamp = options.lamp ? std::optional(vec3((*options.lamp - scene.centre) / scene.scale)) : std::nullopt;
     const std::optional<GroundPlane> plane = options.ground ? std::optional(GroundPlane(*options.ground, scene.centre, scene.scale)) : std::nullopt;
-    const Shader shader = {scene, options, to_light, lamp, plane, FragmentTracer(scene, camera)};
+    const vec3 eye = camera.orthographic ? vec3(-camera.forward()) : vec3((camera.eye - scene.centre) / scene.scale);
+    const Shader shader = {scene, options, to_light, lamp, plane, eye, camera.orthographic, FragmentTracer(scene, camera)};
     Image centres(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t y) {
         for (int x = 0; x < camera.size.x; ++x)

@@ -10,9 +10,11 @@
 namespace limn {
 
 enum class Shading : std::uint8_t {
-    smooth, ///< diffuse, from the interpolated normals
-    flat,   ///< diffuse, from the normals of the triangles
-    toon,   ///< few even tones, from the interpolated normals
+    smooth,  ///< diffuse, from the interpolated normals
+    flat,    ///< diffuse, from the normals of the triangles
+    toon,    ///< few even tones, from the interpolated normals
+    gouraud, ///< diffuse at vertices, from their normals, and interpolated; flat where they have none
+    normals, ///< no light: normals as colours, x, y and z of -1 to 1 as red, green and blue; a ground is lit as ever
 };
 
 /// How a picture is shaded. Tones are mixed as encoded colours, as pens and printers do.

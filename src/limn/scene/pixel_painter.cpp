@@ -11,6 +11,9 @@ namespace {
 /// Lines are found at so many times the picture's size and averaged, so that they are not jagged.
 constexpr int finer = 2;
 
+/// Pixels along an edge of what a GPU draws at once.
+constexpr int gpu_tile = 2048;
+
 Camera finer_camera(Camera camera)
 {
     camera.size = finer * camera.size;
@@ -52,8 +55,9 @@ Image shader_lines_on_processor(const SeenModel& model, const Camera& camera, co
 
 /// What the device keeps of a model, made when it is first needed.
 struct PixelPainter::OnGpu {
-    explicit OnGpu(const LineModel& of) : model(of) {}
+    explicit OnGpu(const SeenModel& of) : model(of.lines), loops(of.loops) {}
     const LineModel& model;
+    const LoopView* loops; ///< gone with the model
     std::optional<gpu::LitRenderer> lit;
     std::optional<gpu::FieldRenderer> fields;
     std::optional<gpu::ImageLineFinder> finder;
@@ -62,7 +66,7 @@ struct PixelPainter::OnGpu {
     Image shaded(const Camera& camera, const PixelOptions& options)
     {
         if (!lit)
-            lit.emplace(model);
+            lit.emplace(model, gpu_tile, loops ? loops->mapped_normals() : MappedNormals());
         return lit->render(camera, options.shade);
     }
     Image filtered(const Camera& camera, const PixelOptions& options)
@@ -118,7 +122,7 @@ Image PixelPainter::paint(const SeenModel& model, const Camera& camera, const Pi
 Image PixelPainter::paint_once(const SeenModel& model, const Camera& camera, const PixelOptions& options)
 {
     if (context_ && (!on_gpu_ || &on_gpu_->model != &model.lines))
-        on_gpu_ = std::make_unique<OnGpu>(model.lines);
+        on_gpu_ = std::make_unique<OnGpu>(model);
     Image picture = context_ ? on_gpu_->shaded(camera, options) : lit_on_processor(model, camera, options);
     const Camera fine = finer_camera(camera);
     if (options.image_lines.method != ImageMethod::off)

@@ -10,6 +10,7 @@
 #include "limn/lines/line_model.h"
 #include "limn/lines/shader_lines.h"
 #include "limn/raycast/shading.h"
+#include "limn/scene/loop_model.h"
 
 namespace limn {
 
@@ -18,6 +19,7 @@ struct SeenModel {
     const LineModel& lines;
     const SeenScene& scene; ///< seen_scene of `lines`
     dvec3 up;               ///< of the world
+    const LoopView* loops = nullptr; ///< where `lines` is that of control meshes as cut for a camera
 };
 
 /// What is decided pixel by pixel: lit surfaces and the lines found in them.

@@ -33,17 +33,27 @@ SceneModel prepare_scene(const Scene& scene)
     options.crease.angle = scene.lines.crease_angle;
     const std::vector<std::size_t> first = first_of_same_model(scene.objects);
     std::map<std::size_t, PreparedMesh> meshes; // by the first object that shows it
+    std::map<std::size_t, std::shared_ptr<const LoopModel>> loops;
+    std::vector<PlacedLoop> placed_loops;
     std::vector<PlacedSurface> placed;
     Bounds bounds;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (first[i] == i)
-            meshes.emplace(i, prepare_mesh(mesh_of(scene.objects[i]), options));
+        const SceneObject& object = scene.objects[i];
+        const bool is_loop = scene.subdivision.scheme == SubdivisionOptions::Scheme::loop;
+        if (first[i] == i && is_loop) {
+            loops[i] = std::make_shared<const LoopModel>(mesh_of(object), scene.subdivision);
+            meshes.emplace(i, loops[i]->fine_mesh(levels_for_whole(*loops[i], scene.subdivision.outline_error), options.estimate.need));
+        } else if (first[i] == i) {
+            meshes.emplace(i, prepare_mesh(mesh_of(object), options));
+        }
+        if (is_loop)
+            placed_loops.push_back({loops.at(first[i]), object.transform});
         placed.push_back(meshes.at(first[i]).placed(scene.objects[i].transform));
         bounds.add(world_bounds(placed.back()));
     }
     LineModel lines = build_line_model(placed);
     RayScene rays = build_ray_scene(lines);
-    return {std::move(lines), std::move(rays), bounds};
+    return {std::move(lines), std::move(rays), bounds, std::move(placed_loops)};
 }
 
 PixelOptions pixel_options(const Scene& scene, const LineModel& model, const SeenScene& seen)
@@ -63,9 +73,11 @@ PixelOptions pixel_options(const Scene& scene, const LineModel& model, const See
 
 Image render(const Scene& scene, const SceneModel& model, const Camera& camera, const std::string& device)
 {
-    const SeenScene seen = seen_scene(model.lines, model.rays);
+    const std::unique_ptr<const LoopView> view = model.loops.empty() ? nullptr : make_loop_view(model.loops, camera);
+    const SeenScene seen = view ? view->seen : seen_scene(model.lines, model.rays);
+    const LineModel& lines = view ? view->lines : model.lines;
     PixelPainter painter(device, [](const std::string&) {});
-    const Image picture = painter.paint({model.lines, seen, up_vector(up_axis_of(scene))}, camera, pixel_options(scene, model.lines, seen));
+    const Image picture = painter.paint({lines, seen, up_vector(up_axis_of(scene)), view.get()}, camera, pixel_options(scene, lines, seen));
     if (scene.lines.lines.empty())
         return picture;
     Style style = scene.style;

@@ -5,6 +5,7 @@
 #include "limn/base/image.h"
 #include "limn/drawing/drawing.h"
 #include "limn/raycast/ray_scene.h"
+#include "limn/scene/loop_model.h"
 #include "limn/scene/pixel_painter.h"
 #include "limn/scene/scene.h"
 
@@ -15,9 +16,11 @@ struct SceneModel {
     LineModel lines;
     RayScene rays; ///< build_ray_scene of `lines`
     Bounds bounds; ///< in the world
+    std::vector<PlacedLoop> loops; ///< the objects, where they are control meshes; `lines` then has fine meshes
 };
 
-/// Reads every model once. Multi-threaded; same bytes for any number of threads.
+/// Reads every model once. Multi-threaded; same bytes for any number of threads. Fine meshes of control meshes are near enough to the limit surface for
+/// pictures of 2000 pixels that show the whole scene.
 /// @throws Error::Read for a file that cannot be read, Error::Input for a scene without objects and for an object whose transform is no
 ///         similarity (transform_fault).
 SceneModel prepare_scene(const Scene& scene);

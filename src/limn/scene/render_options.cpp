@@ -78,7 +78,9 @@ ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene,
 const OptionTable<RenderOptions>& render_option_table()
 {
     static const OptionTable<RenderOptions> table = {
-        choice_row<O, Shading>("shading", {{"smooth", Shading::smooth}, {"flat", Shading::flat}, {"toon", Shading::toon}}, "how light falls on the surface", &O::shading),
+        choice_row<O, Shading>("shading",
+                               {{"smooth", Shading::smooth}, {"flat", Shading::flat}, {"toon", Shading::toon}, {"gouraud", Shading::gouraud}, {"normals", Shading::normals}},
+                               "how light falls on the surface; gouraud: on its vertices; normals: normals as colours", &O::shading),
         vector_row("light", "headlight", "direction towards a distant light", &O::light),
         vector_row("lamp", "none", "place of a point light", &O::lamp),
         colour_row("surface-colour", "of lit places", &O::colour),

@@ -16,6 +16,7 @@
 #include "limn/lines/shader_lines.h"
 #include "limn/raycast/material.h"
 #include "limn/scene/render_options.h"
+#include "limn/scene/subdivision_options.h"
 #include "limn/surface/estimate.h"
 
 namespace limn {
@@ -65,6 +66,7 @@ struct Scene {
     std::vector<Light> lights;  ///< at most one is shaded with so far; empty: the one of `render`
     SceneView view;
     EstimateOptions surface;    ///< how curvature is estimated
+    SubdivisionOptions subdivision; ///< whether models are control meshes
     LineOptions lines = no_lines();
     Style style;                ///< of the lines
     RenderOptions render;       ///< `colour` and `shade` are the material of objects without one

@@ -192,7 +192,7 @@ Scene scene_from_json(std::string_view text, const std::filesystem::path& file)
     if (!json.is_object())
         place.expected("an object");
     check_version(place);
-    place.check_keys({"limn", "objects", "materials", "lights", "camera", "surface", "lines", "style", "render", "image-lines", "shader-lines"});
+    place.check_keys({"limn", "objects", "materials", "lights", "camera", "surface", "subdivision", "lines", "style", "render", "image-lines", "shader-lines"});
     place.need({"objects"});
 
     Scene scene;
@@ -204,6 +204,7 @@ Scene scene_from_json(std::string_view text, const std::filesystem::path& file)
     where_given(place, "lights", [&](const JsonPlace& at) { scene.lights = read_lights(at); });
     where_given(place, "camera", [&](const JsonPlace& at) { scene.view = read_view(at); });
     where_given(place, "surface", [&](const JsonPlace& at) { read_options(at, estimate_option_table(), scene.surface); });
+    where_given(place, "subdivision", [&](const JsonPlace& at) { read_options(at, subdivision_option_table(), scene.subdivision); });
     where_given(place, "lines", [&](const JsonPlace& at) { read_options(at, line_option_table(), scene.lines); });
     where_given(place, "style", [&](const JsonPlace& at) { read_options(at, style_option_table(), scene.style); });
     where_given(place, "render", [&](const JsonPlace& at) { read_options(at, render_rows(), scene.render); });
@@ -228,6 +229,7 @@ std::string scene_to_json(const Scene& scene, const std::filesystem::path& folde
     if (Json view = view_json(scene.view); !view.empty())
         json["camera"] = std::move(view);
     write_section(json, "surface", estimate_option_table(), scene.surface, usual.surface);
+    write_section(json, "subdivision", subdivision_option_table(), scene.subdivision, usual.subdivision);
     write_section(json, "lines", line_option_table(), scene.lines, usual.lines);
     write_section(json, "style", style_option_table(), scene.style, usual.style);
     write_section(json, "render", render_rows(), scene.render, usual.render);

@@ -10,7 +10,7 @@ namespace limn {
 /// The version of scene files that this Limn writes and reads: the value of their key "limn".
 inline constexpr int scene_version = 1;
 
-/// A scene from JSON (docs/scene.md lists the keys). The options of lines, style, surface, render, image-lines and shader-lines have the names and ranges of
+/// A scene from JSON (docs/scene.md lists the keys). The options of lines, style, surface, subdivision, render, image-lines and shader-lines have the names and ranges of
 /// their tables, so those of the command line.
 /// @param file    stands in messages; the objects' paths count from its folder ("": from the working folder)
 /// @throws Error::Read with one line that names the file and the place in it: broken JSON, unknown keys (with the nearest known one), values of a wrong type

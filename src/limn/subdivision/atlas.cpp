@@ -12,7 +12,7 @@
 namespace limn {
 namespace {
 
-constexpr int most_size = 16384, most_gap = 64;
+constexpr int most_size = 8192, most_gap = 64;
 
 /// A chart's cell, in gaps.
 ivec2 cell_of(const Chart& chart, double scale, int gap)

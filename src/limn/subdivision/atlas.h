@@ -30,7 +30,7 @@ struct Atlas {
 };
 
 /// Places boxes in rows, the highest first, at the largest scale at which they fit (within 0.1 %).
-/// @param size  1 to 16384
+/// @param size  1 to 8192
 /// @param gap   a power of two, 2 to 64
 /// @throws Error::Input for numbers out of range, for charts without extent, and where even cells of 1 texel and the gap do not fit.
 Atlas pack_charts(const std::vector<Chart>& charts, int size, int gap);

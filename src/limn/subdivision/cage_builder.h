@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -35,9 +34,12 @@ public:
     void ladder(const Row& row);
 
     /// Takes the face with these corners away, and joins its border by quadrilaterals to a face of new vertices, one for each corner.
-    /// @return their numbers; the face's border again
+    /// @param corners  in any order
+    /// @param moved    the new position for a corner's; called in the order of the face (see band)
+    /// @return the new vertices in the order of the face
     /// @throws std::logic_error where there is no such face
     Row extrude(const Row& corners, const std::function<dvec3(const dvec3&)>& moved);
+    /// @param corners  in any order. @throws std::logic_error where there is no such face
     void remove_face(const Row& corners);
 
     void crease(std::uint32_t a, std::uint32_t b, float sharpness) { creases_.push_back({a, b, sharpness}); }

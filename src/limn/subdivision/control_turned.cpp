@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -83,11 +84,11 @@ Mesh mug_cage()
     close_ring(cage, rings.front(), 0.3, 0.03, true);
     close_ring(cage, rings.back(), 0.22, 0.1, false);
 
-    // The handle runs from a face of the wall through three sections to a face further down. The faces' middle is half a step from the x axis.
+    // The handle runs from a face of the wall through four sections to a face further down. The faces' middle is half a step from the x axis.
     const auto wall_face = [&](std::size_t ring) { return Row{rings[ring][0], rings[ring][1], rings[ring + 1][1], rings[ring + 1][0]}; };
     const double half_step = turn / double(count) / 2;
     const dvec3 out(std::cos(half_step), 0, -std::sin(half_step)), along(-std::sin(half_step), 0, -std::cos(half_step));
-    // Corners as those of the wall's face: below and above there; the section's outer and inner side once the handle has turned down.
+    // A section's corners in the order of those of the wall's face. At angle 0 the handle leaves the wall, at half a turn it comes back.
     const auto section = [&](double distance, double y, double angle, double half_width, double half_height) {
         const dvec3 normal = std::cos(angle) * dvec3(0, 1, 0) + std::sin(angle) * out;
         const dvec3 middle = distance * out + dvec3(0, y, 0);
@@ -96,12 +97,13 @@ Mesh mug_cage()
     };
     const std::array<dvec3, 4> path[] = {section(0.86, 1.21, 0.2, 0.11, 0.085), section(1.06, 1.02, turn / 6, 0.1, 0.07), section(1.08, 0.76, turn * 0.3, 0.1, 0.065),
                                          section(0.9, 0.56, turn * 0.42, 0.1, 0.075)};
-    Row end = wall_face(4);
+    const Row high = wall_face(4);
+    Row end = high;
     for (const std::array<dvec3, 4>& corners : path) {
-        std::size_t k = 0;
         const Row before = end;
-        end = cage.extrude(end, [&](const dvec3&) { return corners[k++]; });
-        for (k = 0; k < 4 && before != wall_face(4); ++k)
+        std::size_t next = 0;
+        end = cage.extrude(end, [&](const dvec3&) { return corners[next++]; });
+        for (std::size_t k = 0; k < 4 && before != high; ++k)
             cage.crease(before[k], end[k], 1);
     }
     const Row low = wall_face(2);

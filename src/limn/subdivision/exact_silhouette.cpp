@@ -29,7 +29,14 @@ bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front
 {
     const uvec3& t = view.topology().triangles[face];
     const std::vector<dvec3>& p = view.pose.corners.positions;
-    return turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) <= view.pixels;
+    if (turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) > view.pixels)
+        return false;
+    for (int k = 0; k < 3 && front && view.surface_pixels > 0; ++k) {
+        const dvec3& middle = view.pose.middles[view.topology().edge[3 * face + std::uint32_t(k)]];
+        if (middle_error(view.plane, p[t[k]], middle, p[t[(k + 1) % 3]]) > view.surface_pixels)
+            return false;
+    }
+    return true;
 }
 
 class Maker {
@@ -57,7 +64,7 @@ public:
                     faces_[f].made = triangulate_face(view_, *faces_[f].cut, edges_);
             });
             std::vector<std::uint8_t> split(faces_.size(), 0);
-            parallel_each(faces_.size(), grain, [&](std::size_t f) { split[f] = changed[f] && split_turned(faces_[f]); });
+            parallel_each(faces_.size(), grain, [&](std::size_t f) { split[f] = changed[f] && split_bad(faces_[f]); });
             if (std::find(split.begin(), split.end(), 1) == split.end())
                 break;
             changed = split;
@@ -68,10 +75,10 @@ public:
     ExactSilhouetteReport report() const;
 
 private:
-    /// Cuts the leaves in four that show the wrong side. @return whether there were any
-    bool split_turned(DrawnFace& face) const
+    /// Cuts the leaves in four that are not good enough. @return whether there were any
+    bool split_bad(DrawnFace& face) const
     {
-        std::vector<bool> which = face.made.turned;
+        std::vector<bool> which = face.made.to_split;
         for (std::size_t i = 0; i < which.size(); ++i)
             which[i] = which[i] && face.cut->leaves[i].level < deepest_;
         if (std::find(which.begin(), which.end(), true) == which.end())
@@ -196,7 +203,7 @@ SilhouetteMesh exact_silhouette(const SilhouettePose& pose, const Camera& camera
 {
     constexpr double share = 0.4; // of the error: for an arc, and again for triangles that show the wrong side beside it
     const SilhouetteView view{pose, PicturePlane(camera), searched_eye(camera, middle_of(pose.corners.positions)), share * options.outline_error,
-                              options.curve_points};
+                              options.curve_points, options.surface_error};
     Maker maker(view, options.deepest);
     maker.make();
     if (report)

@@ -9,6 +9,8 @@ namespace limn {
 struct ExactSilhouetteOptions {
     double outline_error = 0.5; ///< pixels: how far the outline of the mesh may be from that of the limit surface
     int curve_points = 0;       ///< parts of each arc of the contour; 0: as many as outline_error asks for
+    /// Pixels: how far the sides of triangles that face the eye may be from the surface; 0: any distance, since outlines do not depend on it.
+    double surface_error = 0;
     int deepest = 10;           ///< how often a control face may be cut in four; beside semi-sharp edges it takes more than six
 };
 

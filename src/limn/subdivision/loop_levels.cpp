@@ -67,14 +67,7 @@ void PositionStep::apply(const LoopTopology& t, std::span<const dvec3> p, std::s
         Spokes spokes;
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t v = other_vertices_[i];
-            if (t.leaving[v] == none) {
-                out[v] = p[v];
-            } else if (creased_[i] == 0) {
-                out[v] = moved_smooth_vertex(t, p, v, masks_);
-            } else {
-                t.gather(v, spokes);
-                out[v] = moved_vertex(spokes, p, p[v]);
-            }
+            out[v] = moved_vertex(t, p, v, creased_[i] != 0, masks_, spokes);
         }
     });
     parallel_each(other_edges_.size(), grain, [&](std::size_t i) { out[vertices + other_edges_[i]] = edge_point(t, p, other_edges_[i], rule_); });

@@ -22,6 +22,7 @@ public:
     struct Ring {
         std::array<std::uint32_t, most> neighbours = {};
         std::size_t size = 0;
+        operator std::span<const std::uint32_t>() const { return {neighbours.data(), size}; }
     };
     struct Masks {
         double self = 0, each = 0;                ///< position
@@ -38,7 +39,7 @@ public:
             std::copy(masks.v.points.begin(), masks.v.points.end(), masks_[n].v.begin());
         }
     }
-    const Masks& of(const Ring& ring) const { return masks_[ring.size]; }
+    const Masks& of(std::size_t valence) const { return masks_[valence]; }
 
     /// In the order of Spokes. @param vertex  has faces, and no sharp edge or border
     /// @return false where there are more than `most`
@@ -270,25 +271,72 @@ template <class F> void each_ring(const LoopTopology& t, std::span<const dvec3> 
     });
 }
 
-dvec3 smooth_limit_position(const SmoothLimits::Masks& masks, const SmoothLimits::Ring& ring, std::span<const dvec3> p, std::uint32_t v)
+dvec3 smooth_limit_position(const SmoothLimits::Masks& masks, std::span<const std::uint32_t> ring, std::span<const dvec3> p, std::uint32_t v)
 {
     dvec3 sum = masks.self * p[v];
-    for (std::size_t i = 0; i < ring.size; ++i)
-        sum += masks.each * p[ring.neighbours[i]];
+    for (const std::uint32_t neighbour : ring)
+        sum += masks.each * p[neighbour];
     return sum;
 }
 
 /// u x v, where that has a direction.
-std::optional<dvec3> smooth_limit_normal(const SmoothLimits::Masks& masks, const SmoothLimits::Ring& ring, std::span<const dvec3> p)
+std::optional<dvec3> smooth_limit_normal(const SmoothLimits::Masks& masks, std::span<const std::uint32_t> ring, std::span<const dvec3> p)
 {
     dvec3 u(0), v(0);
-    for (std::size_t i = 0; i < ring.size; ++i) {
-        const dvec3& neighbour = p[ring.neighbours[i]];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const dvec3& neighbour = p[ring[i]];
         u += masks.u[i] * neighbour;
         v += masks.v[i] * neighbour;
     }
     const dvec3 normal = glm::cross(u, v);
     return has_direction(normal, u, v) ? std::optional(glm::normalize(normal)) : std::nullopt;
+}
+
+/// @return false, and nothing is set, where u x v has no direction
+bool set_smooth_limit(const SmoothLimits::Masks& masks, std::span<const std::uint32_t> ring, std::span<const dvec3> p, std::uint32_t v, LimitSurface& limit)
+{
+    const std::optional<dvec3> normal = smooth_limit_normal(masks, ring, p);
+    if (!normal)
+        return false;
+    limit.positions[v] = smooth_limit_position(masks, ring, p, v);
+    limit.vertex_normals[v] = *normal;
+    return true;
+}
+
+void resize(const LoopTopology& t, std::span<const dvec3> positions, LimitSurface& limit)
+{
+    limit.positions.assign(positions.begin(), positions.end());
+    limit.vertex_normals.resize(positions.size());
+    limit.normals.resize(t.twin.size());
+}
+
+/// Gives every corner its vertex's normal, and sets all of the other vertices.
+void finish(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule, std::span<const std::uint32_t> others, LimitSurface& limit)
+{
+    parallel_each(t.triangles.size(), grain, [&](std::size_t f) {
+        const uvec3& corners = t.triangles[f];
+        limit.normals[3 * f] = limit.vertex_normals[corners.x];
+        limit.normals[3 * f + 1] = limit.vertex_normals[corners.y];
+        limit.normals[3 * f + 2] = limit.vertex_normals[corners.z];
+    });
+    each_ring(t, positions, rule, others, [&](std::uint32_t v, const Spokes& spokes, const LoopRing& ring, const MaskTable& table) {
+        const VertexKind kind = vertex_kind(ring.sharpness);
+        Sector sector;
+        LimitPoint point;
+        for (std::size_t face = 0; face < spokes.half_edges.size(); ++face) {
+            if (face == 0 || (kind > VertexKind::dart && ring.sharpness[face] > 0)) {
+                sector = sector_of(ring, kind, face);
+                point = limit_of_sector(ring, kind, sector, rule, table);
+            }
+            limit.normals[spokes.half_edges[face]] = unit_normal(point, ring, sector, face);
+        }
+        limit.positions[v] = point.position;
+        limit.vertex_normals[v] = limit.normals[spokes.half_edges[0]];
+    });
+    parallel_each(t.vertex_count(), grain, [&](std::size_t v) {
+        if (t.leaving[v] == none)
+            limit.vertex_normals[v] = dvec3(0);
+    });
 }
 
 } // namespace
@@ -309,36 +357,36 @@ LimitPoint limit_point(const LoopTopology& t, std::span<const dvec3> positions, 
 
 void limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule, LimitSurface& limit)
 {
-    limit.positions.assign(positions.begin(), positions.end());
-    limit.normals.resize(t.twin.size());
+    resize(t, positions, limit);
     const SmoothLimits smooth;
-    std::vector<dvec3> normals(positions.size()); // where all corners of a vertex have the same
     const std::vector<std::uint32_t> others = each_smooth_ring(t, rule, [&](std::uint32_t v, const SmoothLimits::Ring& ring) {
-        const SmoothLimits::Masks& masks = smooth.of(ring);
-        const std::optional<dvec3> normal = smooth_limit_normal(masks, ring, positions);
-        if (!normal)
-            return false;
-        limit.positions[v] = smooth_limit_position(masks, ring, positions, v);
-        normals[v] = *normal;
+        return set_smooth_limit(smooth.of(ring.size), ring, positions, v, limit);
+    });
+    finish(t, positions, rule, others, limit);
+}
+
+LimitStep::LimitStep(const LoopTopology& t, CreaseRule rule) : rule_(rule), rings_(t.vertex_count(), {none})
+{
+    each_smooth_ring(t, rule, [&](std::uint32_t v, const SmoothLimits::Ring& ring) {
+        if (ring.size == 6)
+            std::copy_n(ring.neighbours.begin(), 6, rings_[v].begin());
         return true;
     });
-    parallel_each(t.triangles.size(), grain, [&](std::size_t f) {
-        for (int k = 0; k < 3; ++k)
-            limit.normals[3 * f + std::size_t(k)] = normals[t.triangles[f][k]];
-    });
-    each_ring(t, positions, rule, others, [&](std::uint32_t v, const Spokes& spokes, const LoopRing& ring, const MaskTable& table) {
-        const VertexKind kind = vertex_kind(ring.sharpness);
-        Sector sector;
-        LimitPoint point;
-        for (std::size_t face = 0; face < spokes.half_edges.size(); ++face) {
-            if (face == 0 || (kind > VertexKind::dart && ring.sharpness[face] > 0)) {
-                sector = sector_of(ring, kind, face);
-                point = limit_of_sector(ring, kind, sector, rule, table);
-            }
-            limit.normals[spokes.half_edges[face]] = unit_normal(point, ring, sector, face);
+}
+
+void LimitStep::apply(const LoopTopology& t, std::span<const dvec3> positions, LimitSurface& limit) const
+{
+    resize(t, positions, limit);
+    const SmoothLimits smooth;
+    const SmoothLimits::Masks& masks = smooth.of(6);
+    const std::vector<std::uint32_t> others = parallel_collect<std::uint32_t>(rings_.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) {
+        for (std::uint32_t v = std::uint32_t(begin); v < end; ++v) {
+            const bool is_set = rings_[v][0] != none && set_smooth_limit(masks, rings_[v], positions, v, limit);
+            if (!is_set && t.leaving[v] != none)
+                out.push_back(v);
         }
-        limit.positions[v] = point.position;
     });
+    finish(t, positions, rule_, others, limit);
 }
 
 LimitSurface limit_surface(const LoopTopology& t, std::span<const dvec3> positions, CreaseRule rule)
@@ -353,7 +401,7 @@ std::vector<dvec3> limit_positions(const LoopTopology& t, std::span<const dvec3>
     std::vector<dvec3> limit(positions.begin(), positions.end());
     const SmoothLimits smooth;
     const std::vector<std::uint32_t> others = each_smooth_ring(t, rule, [&](std::uint32_t v, const SmoothLimits::Ring& ring) {
-        limit[v] = smooth_limit_position(smooth.of(ring), ring, positions, v);
+        limit[v] = smooth_limit_position(smooth.of(ring.size), ring, positions, v);
         return true;
     });
     each_ring(t, positions, rule, others, [&](std::uint32_t v, const Spokes&, const LoopRing& ring, const MaskTable& table) {

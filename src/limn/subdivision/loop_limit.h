@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,11 +28,26 @@ LimitPoint limit_point(const LoopTopology& topology, std::span<const dvec3> posi
 struct LimitSurface {
     std::vector<dvec3> positions; ///< per vertex; vertices without faces stay. For display only: never subdivide them further
     std::vector<dvec3> normals;   ///< 3 per triangle, unit length: of its corners
+    std::vector<dvec3> vertex_normals; ///< per vertex: that of one of its corners, and of all where it lies on no crease; 0 without faces
 };
 /// Parallel.
 LimitSurface limit_surface(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule = CreaseRule::opensubdiv);
 /// The same. @param limit  is filled; memory of an earlier call is used again
 void limit_surface(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule, LimitSurface& limit);
+
+/// The rings that limit_surface walks along, written down for meshes that are posed again and again. 24 bytes per vertex.
+class LimitStep {
+public:
+    LimitStep(const LoopTopology& topology, CreaseRule rule);
+    /// The same bytes as limit_surface; parallel.
+    /// @param topology  the one that the step was made of
+    void apply(const LoopTopology& topology, std::span<const dvec3> positions, LimitSurface& limit) const;
+
+private:
+    CreaseRule rule_;
+    std::vector<std::array<std::uint32_t, 6>> rings_; ///< per vertex, where all around is smooth and its valence is 6; else they begin with `none`
+};
+
 /// Only LimitSurface::positions.
 std::vector<dvec3> limit_positions(const LoopTopology& topology, std::span<const dvec3> positions, CreaseRule rule = CreaseRule::opensubdiv);
 

@@ -66,6 +66,20 @@ void refine_edge(const LoopTopology& t, LoopTopology& out, std::uint32_t e)
     out.leaving[t.vertex_count() + e] = last_half;
 }
 
+/// The same as moved_vertex for a vertex with faces but no sharp edge or border, without gathering its edges.
+dvec3 moved_smooth_vertex(const LoopTopology& t, std::span<const dvec3> p, std::uint32_t v, const SmoothVertexMasks& masks)
+{
+    dvec3 sum(0);
+    std::size_t valence = 0;
+    walk_around(t, v, [&](std::uint32_t neighbour) {
+        sum += p[neighbour];
+        ++valence;
+        return true;
+    });
+    const VertexMask mask = masks.of(valence);
+    return mask.self * p[v] + mask.each * sum;
+}
+
 /// The same as edge_point where has_smooth_mask.
 dvec3 smooth_edge_point(const LoopTopology& t, std::span<const dvec3> p, std::uint32_t e)
 {
@@ -129,17 +143,14 @@ dvec3 moved_vertex(const Spokes& spokes, std::span<const dvec3> p, const dvec3& 
     return moved;
 }
 
-dvec3 moved_smooth_vertex(const LoopTopology& t, std::span<const dvec3> p, std::uint32_t v, const SmoothVertexMasks& masks)
+dvec3 moved_vertex(const LoopTopology& t, std::span<const dvec3> p, std::uint32_t v, bool is_creased, const SmoothVertexMasks& masks, Spokes& spokes)
 {
-    dvec3 sum(0);
-    std::size_t valence = 0;
-    walk_around(t, v, [&](std::uint32_t neighbour) {
-        sum += p[neighbour];
-        ++valence;
-        return true;
-    });
-    const VertexMask mask = masks.of(valence);
-    return mask.self * p[v] + mask.each * sum;
+    if (t.leaving[v] == none)
+        return p[v];
+    if (!is_creased)
+        return moved_smooth_vertex(t, p, v, masks);
+    t.gather(v, spokes);
+    return moved_vertex(spokes, p, p[v]);
 }
 
 bool has_smooth_mask(const LoopTopology& t, std::span<const std::uint8_t> creased, std::uint32_t e, CreaseRule rule)
@@ -159,14 +170,7 @@ std::vector<dvec3> refine_positions(const LoopTopology& t, std::span<const dvec3
     parallel_blocks(vertices, grain, [&](std::size_t begin, std::size_t end) {
         Spokes spokes;
         for (std::uint32_t v = std::uint32_t(begin); v < end; ++v)
-            if (t.leaving[v] == none) {
-                out[v] = positions[v];
-            } else if (creased[v] == 0) {
-                out[v] = moved_smooth_vertex(t, positions, v, masks);
-            } else {
-                t.gather(v, spokes);
-                out[v] = moved_vertex(spokes, positions, positions[v]);
-            }
+            out[v] = moved_vertex(t, positions, v, creased[v] != 0, masks, spokes);
     });
     parallel_each(t.edge_count(), grain, [&](std::size_t i) {
         const std::uint32_t e = std::uint32_t(i);

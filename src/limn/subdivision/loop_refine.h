@@ -24,8 +24,9 @@ std::vector<dvec3> refine_positions(const LoopTopology& topology, std::span<cons
 dvec3 edge_point(const LoopTopology& topology, std::span<const dvec3> positions, std::uint32_t e, CreaseRule rule);
 /// And that of an old vertex. @param spokes  those of the vertex
 dvec3 moved_vertex(const Spokes& spokes, std::span<const dvec3> positions, const dvec3& position);
-/// The same for a vertex with faces but no sharp edge or border, without gathering its edges.
-dvec3 moved_smooth_vertex(const LoopTopology& topology, std::span<const dvec3> positions, std::uint32_t vertex, const SmoothVertexMasks& masks);
+/// The same for any vertex. @param is_creased  creased_vertices of it @param spokes  memory for a ring, which only creased ones need
+dvec3 moved_vertex(const LoopTopology& topology, std::span<const dvec3> positions, std::uint32_t vertex, bool is_creased, const SmoothVertexMasks& masks,
+                   Spokes& spokes);
 /// Whether it is known without a look at rings that an edge has the mask of a smooth edge between smooth vertices.
 /// @param creased  creased_vertices of the topology
 bool has_smooth_mask(const LoopTopology& topology, std::span<const std::uint8_t> creased, std::uint32_t e, CreaseRule rule);

@@ -5,7 +5,6 @@
 namespace limn {
 
 /// Walks around a vertex in the order of its Spokes without memory for them: calls f(neighbour) for each, and stops where f returns false.
-/// The corners of triangles around a vertex follow no pattern that a processor could predict: they are chosen without branches.
 /// @param vertex  has faces and no border
 /// @return whether the walk came round
 template <class F> bool walk_around(const LoopTopology& t, std::uint32_t vertex, F&& f)

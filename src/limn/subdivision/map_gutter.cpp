@@ -41,12 +41,6 @@ PatchPoint on_side(std::uint32_t face, int side, double along)
     return {face, weights[1], weights[2]};
 }
 
-PatchPoint clamped(std::uint32_t face, const dvec2& parameters)
-{
-    const double v = std::max(parameters.x, 0.0), w = std::max(parameters.y, 0.0), sum = std::max(v + w, 1.0);
-    return {face, v / sum, w / sum};
-}
-
 } // namespace
 
 dvec2 flat_parameters(const dvec2 (&corners)[3], const dvec2& p)
@@ -54,6 +48,12 @@ dvec2 flat_parameters(const dvec2 (&corners)[3], const dvec2& p)
     const dvec2 v_side = corners[1] - corners[0], w_side = corners[2] - corners[0], d = p - corners[0];
     const double area = cross(v_side, w_side);
     return {cross(d, w_side) / area, cross(v_side, d) / area};
+}
+
+PatchPoint inside_face(std::uint32_t face, const dvec2& parameters)
+{
+    const double v = std::max(parameters.x, 0.0), w = std::max(parameters.y, 0.0), sum = std::max(v + w, 1.0);
+    return {face, v / sum, w / sum};
 }
 
 GutterPoint gutter_point(const Chart& chart, const dvec2& p, const LoopTopology& t, std::span<const dvec3> limit)
@@ -74,7 +74,7 @@ GutterPoint gutter_point(const Chart& chart, const dvec2& p, const LoopTopology&
     corners[k] = b;
     corners[(k + 1) % 3] = a;
     corners[(k + 2) % 3] = a + glm::dot(edge, to_tip) / length * x + height * out;
-    return {own, clamped(over / 3, flat_parameters(corners, p))};
+    return {own, inside_face(over / 3, flat_parameters(corners, p))};
 }
 
 } // namespace limn

@@ -17,7 +17,10 @@ struct GutterPoint {
 /// @param limit  the control mesh's vertices, from which the chart was made
 GutterPoint gutter_point(const Chart& chart, const dvec2& p, const LoopTopology& topology, std::span<const dvec3> limit);
 
-/// Parameters (v,w) of a place with respect to a flat triangle, for any place of the plane. @throws nothing; without area they are not finite
+/// Parameters (v,w) of any place of the plane with respect to a triangle in it; not finite where that has no area.
 dvec2 flat_parameters(const dvec2 (&corners)[3], const dvec2& p);
+
+/// The place of a face with these parameters, which are put into the face where they lie outside.
+PatchPoint inside_face(std::uint32_t face, const dvec2& parameters);
 
 } // namespace limn

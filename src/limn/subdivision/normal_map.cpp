@@ -50,8 +50,7 @@ template <Painter F> std::size_t paint_faces(Image& texels, const Atlas& atlas, 
                 const dvec2 p = flat_parameters(corners, {x + 0.5, y + 0.5});
                 if (texels.at(x, y)[3] > 0 || !(p.x >= -rounding && p.y >= -rounding && p.x + p.y <= 1 + rounding))
                     continue;
-                const double v = std::max(p.x, 0.0), w = std::max(p.y, 0.0), sum = std::max(v + w, 1.0);
-                paint_texel(x, y, {chart.faces[f], v / sum, w / sum});
+                paint_texel(x, y, inside_face(chart.faces[f], p));
             }
     }
     if (painted == 0) {
@@ -137,7 +136,7 @@ const OptionTable<NormalMapOptions>& normal_map_option_table()
 {
     using Options = NormalMapOptions;
     static const OptionTable<Options> table = {
-        number_row<Options>("map-size", "texels", 16, 16384, "side of the normal map", &Options::size),
+        number_row<Options>("map-size", "texels", 16, 8192, "side of the normal map", &Options::size),
         choice_row<Options, NormalSpace>("space", {{"object", NormalSpace::object}, {"tangent", NormalSpace::tangent}},
                                          "what the map's directions refer to", &Options::space),
         choice_row<Options, ChartKind>("map-charts", {{"pairs", ChartKind::pairs}, {"triangles", ChartKind::triangles}},

@@ -276,6 +276,20 @@ dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoin
     }
 }
 
+/// Whether a leaf that faces the eye somewhere is further from the surface than it may be.
+bool is_too_flat(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf)
+{
+    if (!(view.surface_pixels > 0) || (leaf.arcs.empty() && !leaf.front))
+        return false;
+    const auto at = [&](const dvec2& place) { return view.pose.shape.position({face, place.x, place.y}); };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const dvec2 &a = leaf.cell.corners[k], &b = leaf.cell.corners[(k + 1) % 3];
+        if (middle_error(view.plane, at(a), at(0.5 * (a + b)), at(b)) > view.surface_pixels)
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges)
@@ -368,7 +382,8 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
             point.index = std::uint32_t(out.own.size());
             out.own.push_back(view.pose.shape.sample({face.face, point.at.x, point.at.y}));
         }
-    out.turned.assign(face.leaves.size(), false);
+    for (const FaceLeaf& leaf : face.leaves)
+        out.to_split.push_back(is_too_flat(view, face.face, leaf));
     std::vector<dvec2> places(out.points.size());
     std::vector<std::uint8_t> lines(out.points.size());
     for (std::size_t i = 0; i < face.leaves.size(); ++i) {
@@ -385,7 +400,7 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
                 for (int k = 0; k < 3; ++k)
                     corners[std::size_t(k)] = position_of(view, face.face, out.points[t[k]], edges, out.own);
                 const double turned = turned_over(view, corners, region.front);
-                out.turned[i] = out.turned[i] || turned > view.pixels;
+                out.to_split[i] = out.to_split[i] || turned > view.pixels;
                 out.most_turned = std::max(out.most_turned, turned);
                 out.triangles.push_back(t);
             }

@@ -54,8 +54,9 @@ struct FaceTriangles {
     std::vector<SurfaceSample> own;
     std::vector<uvec3> triangles;     ///< of points
     std::vector<std::vector<std::uint32_t>> curves;
-    /// Per leaf: whether a triangle is turned over in the picture, against what the contour says, by more than SilhouetteView::pixels.
-    std::vector<bool> turned;
+    /// Per leaf: whether a triangle is turned over in the picture, against what the contour says, by more than SilhouetteView::pixels, or is
+    /// further from the surface than SilhouetteView::surface_pixels.
+    std::vector<bool> to_split;
     double most_turned = 0; ///< pixels: the greatest height of triangles that are turned over
 };
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges);

@@ -40,6 +40,12 @@ bool may_be_crossed(std::span<const Facing> places, double share)
     return low < turned && high > -turned;
 }
 
+double middle_error(const PicturePlane& plane, const dvec3& a, const dvec3& middle, const dvec3& b)
+{
+    const std::array<dvec2, 3> pixels = {plane.pixel(a), plane.pixel(middle), plane.pixel(b)};
+    return plane.is_in_picture(pixels) ? glm::distance(pixels[1], plane.pixel(0.5 * (a + b))) : 0;
+}
+
 double chord_error(const PicturePlane& plane, const SurfaceSample& a, const SurfaceSample& middle, const SurfaceSample& b)
 {
     constexpr double s_shape = 0.1; // of chord and slope at the ends: how far a cubic goes that is 0 in the middle

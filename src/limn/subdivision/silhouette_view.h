@@ -65,6 +65,7 @@ struct SilhouetteView {
     Eye eye;
     double pixels;    ///< how far from the true outline a polyline may be
     int curve_points; ///< parts of each arc; 0: as many as `pixels` asks for
+    double surface_pixels; ///< how far the sides of triangles that face the eye may be from the surface; 0: any distance
 
     const LoopTopology& topology() const { return pose.shape.table().control(); }
     Facing facing(const dvec3& position, const dvec3& normal) const { return {normal, glm::dot(glm::normalize(eye.from(position)), normal)}; }
@@ -81,6 +82,9 @@ struct SilhouetteView {
     /// Which side of its edge a half-edge is on: 0 where it is LoopTopology::half_edge, else 1.
     std::size_t side_of(std::uint32_t h) const { return topology().half_edge[topology().edge[h]] == h ? 0 : 1; }
 };
+
+/// How far a surface is in the picture from the middle of a chord, in pixels; 0 where nothing of it is in the picture.
+double middle_error(const PicturePlane& plane, const dvec3& a, const dvec3& middle, const dvec3& b);
 
 /// How far a curve in the picture is from the chord between two of its points, in pixels, judged by a point between and the directions across
 /// it at both ends. 0 where nothing of it is in the picture.

@@ -1,17 +1,29 @@
-// Vertices for lit pictures.
+// Vertices for lit pictures: those of the model, or where they have texture coordinates the corners of its faces.
+#include "limn/gpu/shaders/lit_tone.glsl"
+
 layout(std430, binding = 0) readonly buffer Positions { vec4 positions[]; }; // w: index of the object
 layout(std430, binding = 1) readonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = 2) readonly buffer Faces { uint corners[]; };
+layout(std430, binding = 5) readonly buffer Uvs { vec2 uvs[]; };
 uniform mat4 to_clip;
+uniform int mapped;       // 1: corners
+uniform vec3 eye;         // position, or the direction towards it
+uniform int orthographic;
 
 out vec3 position;
 out vec3 normal;
 flat out uint object;
+out vec2 uv;
+out float vertex_tone;
 
 void main()
 {
-    vec4 p = positions[gl_VertexID];
+    uint vertex = mapped != 0 ? corners[gl_VertexID] : uint(gl_VertexID);
+    vec4 p = positions[vertex];
     position = p.xyz;
-    normal = normals[gl_VertexID].xyz;
+    normal = normals[vertex].xyz;
     object = uint(p.w + 0.5f);
+    uv = mapped != 0 ? uvs[gl_VertexID] : vec2(0.0f);
+    vertex_tone = tone_at(position, normal, orthographic != 0 ? eye : normalize(eye - position));
     gl_Position = to_clip * vec4(p.xyz, 1.0f);
 }
