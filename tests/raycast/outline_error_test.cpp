@@ -202,7 +202,7 @@ TEST(DepthMap, IsThatOfPlanes)
         mesh.positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, -1}};
         mesh.triangles = {{0, 1, 2}};
         const DepthMap map = depth_map(mesh, camera, 2);
-        for (const ivec2 at : {ivec2(100, 100), ivec2(60, 120), ivec2(140, 70)}) {
+        for (const ivec2& at : {ivec2(100, 100), ivec2(60, 120), ivec2(140, 70)}) {
             const Camera::Ray ray = camera.ray((dvec2(at) + 0.5) / 2.0);
             const dvec3 n = glm::normalize(dvec3(0, 2, 18));
             const double t = glm::dot(mesh.positions[0] - ray.origin, n) / glm::dot(ray.direction, n);

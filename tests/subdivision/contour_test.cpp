@@ -61,7 +61,7 @@ TEST(ContourCrossings, AreThoseOfDenseSampling)
         const LimitShape& shape = subject.pose().shape;
         for (int number = 0; number < 3; ++number) {
             const Camera camera = any_view(subject.bounds(), number);
-            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0};
+            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0, 0};
             for (std::uint32_t h = 0; h < subject.topology().twin.size(); ++h) {
                 std::vector<double> crossings;
                 append_crossings(shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);
@@ -127,7 +127,7 @@ TEST(ContourCells, FindLoopsWithinAFace)
         const LimitShape& shape = subject.pose().shape;
         for (int number = 0; number < 10; ++number) {
             const Camera camera = any_view(subject.bounds(), number);
-            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0};
+            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0, 0};
             for (std::uint32_t f = 0; f < subject.topology().triangles.size(); ++f) {
                 if (!crossings_of(view, f).empty() || is_clear_of_contours(shape, view.eye, f))
                     continue;
@@ -156,7 +156,7 @@ TEST(ContourCells, JoinAllCrossings)
         const ExactSubject subject(mesh);
         for (int number = 0; number < 6; ++number) {
             const Camera camera = any_view(subject.bounds(), number);
-            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0};
+            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0, 0};
             for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
                 const std::vector<BoundaryCrossing> crossings = crossings_of(view, f);
                 if (crossings.empty())
