@@ -168,8 +168,9 @@ void add_propagation(const SilhouetteBench& bench, bool on_device, Tables& table
         const PropagationTimes t = time_propagation(size, passes, runs, on_device);
         tables.propagation.add({fmt::format("{0} x {0}", size), std::to_string(passes), ms_text(t.processor), on_device ? ms_text(t.device) : missing, ms_text(t.reference)});
     };
-    for (const int passes : {bench.passes / 8, bench.passes / 4, bench.passes / 2})
-        add(bench.edges.back() / 2, passes);
+    const int middle = bench.edges[bench.edges.size() / 2];
+    for (const int part : {8, 4, 2})
+        add(middle, std::max(1, std::min(bench.passes, middle - 1) / part));
     for (const int edge : bench.edges)
         add(edge, std::min(bench.passes, edge - 1));
 }

@@ -23,7 +23,7 @@ template <class F> double median_over(const std::vector<Camera>& cameras, F&& f)
 
 SilhouetteView view_of(const SilhouetteSubject& subject, const Camera& camera)
 {
-    return {subject.exact(), PicturePlane(camera), searched_eye(camera, subject.bounds().centre()), ExactSilhouetteOptions().outline_error / 2, 0};
+    return {subject.exact(), PicturePlane(camera), searched_eye(camera, subject.bounds().centre()), ExactSilhouetteOptions().outline_error / 2, 0, 0};
 }
 
 double crossed_edges(const EdgePoints& edges)

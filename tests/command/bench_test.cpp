@@ -108,6 +108,29 @@ TEST(Bench, SubdivisionGoesDownFiveLevelsAndUpTheSizes)
     EXPECT_EQ(run_limn(LIMN_COMMAND, "bench subdivision --models torus,blob --quiet").exit_code, 2);
 }
 
+TEST(Bench, HoldsSilhouettesBesideUniformLevels)
+{
+    const ProgramResult result = run_limn(LIMN_COMMAND, "bench silhouette --models octahedron,leaf --sizes 100,300 --views 2 --edges 32,64 --quiet --json");
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const nlohmann::json report = nlohmann::json::parse(result.output);
+    ASSERT_EQ(report["outlines"].size(), 2u * 7);
+    const auto most = [&](std::size_t row) { return std::stod(report["outlines"][row]["most (px)"].get<std::string>()); };
+    for (const std::size_t first : {0u, 7u}) {
+        EXPECT_EQ(report["outlines"][first + 6]["way"], "exact");
+        EXPECT_LE(most(first + 6), 0.6);
+        EXPECT_LT(most(first + 1), most(first));     // level 1 and the control mesh
+        EXPECT_LT(most(first + 6), most(first + 5)); // exact and seed
+    }
+    EXPECT_EQ(report["vertices"].size(), 2u);
+    for (const char* table : {"search", "depths_ms", "curves_ms", "propagation_ms"})
+        EXPECT_GE(report[table].size(), 4u) << table;
+    if (!report["frames_ms"].empty()) { // there is a device
+        EXPECT_EQ(report["frames_ms"].size(), 2u);
+        EXPECT_EQ(report["parts_ms"].size(), 2u * 6);
+    }
+    EXPECT_EQ(run_limn(LIMN_COMMAND, "bench silhouette --models nothing").exit_code, 2);
+}
+
 TEST(Bench, NamesWhatItCannotMeasure)
 {
     const ProgramResult unknown = run_limn(LIMN_COMMAND, "bench cheese");

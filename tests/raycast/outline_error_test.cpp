@@ -137,6 +137,23 @@ TEST(OutlineError, IsThatOfAShiftAndOfASpike)
     EXPECT_NEAR(spike.beyond, 10, 1e-9);
     EXPECT_NEAR(spike.short_of, std::hypot(0.375, 0.125), 0.01); // from the middle under it to a sample of its sides
     EXPECT_NEAR(spike.difference, 10, 1e-9);
+    EXPECT_NEAR(area_distance(outline_mask(spiked, small_camera()), wanted), 10, 1e-9);
+    EXPECT_NEAR(area_distance(wanted, outline_mask(spiked, small_camera())), 10, 1e-9);
+    EXPECT_EQ(area_distance(wanted, wanted), 0);
+}
+
+/// A gap in the middle is as far off as half of its width for areas, but as far as it is from the outline for outlines.
+TEST(OutlineError, OfAreasIsHalfOfAGap)
+{
+    const OutlineMask wanted = outline_mask(rectangle({-2, -1}, {3, 2}), small_camera());
+    Mesh gaping = rectangle({-2, -1}, {0.5, 2});
+    add_rectangle(gaping, {0.6, -1}, {3, 2}); // 1 px
+    add_rectangle(gaping, {0.4, -1}, {0.7, 0});
+    add_rectangle(gaping, {0.4, 1}, {0.7, 2});
+    const OutlineMask found = outline_mask(gaping, small_camera());
+    EXPECT_NEAR(area_distance(found, wanted), 0.5, 0.01);
+    EXPECT_NEAR(compare_outlines(found, wanted).beyond, 15, 0.2);
+    EXPECT_EQ(area_distance(outline_mask({}, small_camera()), wanted), HUGE_VAL);
 }
 
 /// A polygon of n sides in a circle of radius r is short of it by r (1 - cos(pi / n)).
@@ -185,7 +202,7 @@ TEST(DepthMap, IsThatOfPlanes)
         mesh.positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, -1}};
         mesh.triangles = {{0, 1, 2}};
         const DepthMap map = depth_map(mesh, camera, 2);
-        for (const ivec2 at : {ivec2(100, 100), ivec2(60, 120), ivec2(140, 70)}) {
+        for (const ivec2& at : {ivec2(100, 100), ivec2(60, 120), ivec2(140, 70)}) {
             const Camera::Ray ray = camera.ray((dvec2(at) + 0.5) / 2.0);
             const dvec3 n = glm::normalize(dvec3(0, 2, 18));
             const double t = glm::dot(mesh.positions[0] - ray.origin, n) / glm::dot(ray.direction, n);

@@ -255,7 +255,7 @@ TEST(ExactSilhouette, MissesNoCrossings)
         const ExactSubject subject(mesh);
         for (int number = 0; number < 6; ++number) {
             const Camera camera = any_view(subject.bounds(), number);
-            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0};
+            const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0, 0};
             const EdgePoints edges = cut_edges(view);
             const std::size_t exact = count_crossings(view, nullptr);
             EXPECT_EQ(count_crossings(view, &edges), exact) << name << ", view " << number;
@@ -336,7 +336,7 @@ TEST(ExactSilhouette, HasAsManyPointsAsAskedFor)
         return count;
     };
     const double coarse = double(points(8, 0)), fine = double(points(0.5, 0)), finer = double(points(0.125, 0));
-    EXPECT_GT(fine / coarse, 3);
+    EXPECT_GT(fine / coarse, 2.5); // 4, but for arcs that have one piece at least
     EXPECT_NEAR(finer / fine, 2, 0.7); // the error falls with the square
     EXPECT_GE(points(8, 16), 2 * points(8, 4));
 }

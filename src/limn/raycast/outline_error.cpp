@@ -167,6 +167,21 @@ OutlineError compare_outlines(const OutlineMask& found, const OutlineMask& wante
     return error;
 }
 
+double area_distance(const OutlineMask& found, const OutlineMask& wanted)
+{
+    check_sizes(found, wanted);
+    double greatest = 0;
+    for (const auto& [from, to] : {std::pair(&found, &wanted), std::pair(&wanted, &found)}) {
+        std::vector<std::uint64_t> only = from->bits;
+        for (std::size_t i = 0; i < only.size(); ++i)
+            only[i] &= ~to->bits[i];
+        std::vector<ivec2> samples;
+        for_each_covered(only, from->words_per_row(), [&](const ivec2& p) { samples.push_back(p); });
+        greatest = std::max(greatest, greatest_distance(samples, outline_of(*to), from->size));
+    }
+    return greatest / found.per_pixel;
+}
+
 double uncovered(const OutlineMask& found, const OutlineMask& wanted)
 {
     check_sizes(found, wanted);

@@ -46,6 +46,11 @@ struct OutlineError {
 /// @throws Error::Input for masks of different sizes
 OutlineError compare_outlines(const OutlineMask& found, const OutlineMask& wanted);
 
+/// The greatest distance in px from a sample that only one of two masks covers to the area that the other covers; infinity where that covers
+/// nothing. Distances between outlines are larger where outlines cross at an acute angle, since the corner there moves further than they do, and
+/// at gaps narrower than what is looked for; this one is not. @throws Error::Input for masks of different sizes
+double area_distance(const OutlineMask& found, const OutlineMask& wanted);
+
 /// The area in px^2 that `wanted` covers and `found` does not. @throws Error::Input for masks of different sizes
 double uncovered(const OutlineMask& found, const OutlineMask& wanted);
 

@@ -201,7 +201,7 @@ dvec3 middle_of(std::span<const dvec3> positions)
 
 SilhouetteMesh exact_silhouette(const SilhouettePose& pose, const Camera& camera, const ExactSilhouetteOptions& options, ExactSilhouetteReport* report)
 {
-    constexpr double share = 0.5; // of the error that an arc may have; most arcs then keep below a tenth of it on average
+    constexpr double share = 0.4; // of the error: for an arc, and again for triangles that show the wrong side beside it
     const SilhouetteView view{pose, PicturePlane(camera), searched_eye(camera, middle_of(pose.corners.positions)), share * options.outline_error,
                               options.curve_points, options.surface_error};
     Maker maker(view, options.deepest);
