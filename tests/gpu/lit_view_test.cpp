@@ -57,7 +57,7 @@ TEST_F(GpuLit, PicturesAreThoseOfTheProcessor)
         const gpu::LitRenderer renderer(stage.model);
         for (const auto& [style, options] : styles(stage.seen()))
             for (const bool orthographic : {false, true}) {
-                const Camera camera = stage.camera({240, 180}, orthographic);
+                const Camera camera = stage.camera({200, 150}, orthographic);
                 const double other = share_of_other_pixels(renderer.render(camera, options), shade(stage.seen(), camera, options), 2.0 / 255);
                 fmt::print("[ lit      ] {}, {}{}: {:.3f} % of the pixels differ by more than 2/255\n", name, style, orthographic ? ", orthographic" : "", 100 * other);
                 EXPECT_LE(other, 0.001) << name << ", " << style;
@@ -91,19 +91,22 @@ TEST_F(GpuLit, NormalsFromMapsAreThoseOfTheProcessor)
     options.scheme = SubdivisionOptions::Scheme::loop;
     const auto model = [&](const char* sample) { return std::make_shared<const LoopModel>(make_control_sample(sample), options); };
     for (const auto normals : {SubdivisionOptions::Normals::map, SubdivisionOptions::Normals::limit}) {
+        const bool is_map = normals == SubdivisionOptions::Normals::map;
         options.normals = normals;
         const auto creature = model("creature"), rook = model("rook");
         const PlacedLoop placed[] = {{creature}, {creature, glm::rotate(glm::translate(dmat4(1), dvec3(0.5, 0.2, 2)), 0.7, dvec3(1, 2, 3))},
                                      {rook, glm::translate(dmat4(1), dvec3(-1.5, 0, 1))}};
         for (const bool orthographic : {false, true}) {
-            Camera camera = Camera::framing({dvec3(-2), dvec3(2)}, {.view = "35,25", .up_axis = 'y', .size = {240, 180}, .orthographic = orthographic});
+            const Camera camera = Camera::framing({dvec3(-2), dvec3(2)}, {.view = "35,25", .up_axis = 'y', .size = {240, 180}, .orthographic = orthographic});
             const auto view = make_loop_view(placed, camera);
             const gpu::LitRenderer renderer(view->lines, 2048, view->mapped_normals()), bare(view->lines);
             for (const auto& [style, shade_options] : styles(view->seen)) {
+                if (style != "smooth" && style != "normals" && !(is_map && style == "gouraud"))
+                    continue; // what else there is has been compared above, or takes no normals from maps
                 const Image expected = shade(view->seen, camera, shade_options), painted = renderer.render(camera, shade_options);
                 const double other = share_of_other_pixels(painted, expected, 2.0 / 255);
-                fmt::print("[ lit      ] {}, {}{}: {:.3f} % of the pixels differ by more than 2/255\n", normals == SubdivisionOptions::Normals::map ? "map" : "limit",
-                           style, orthographic ? ", orthographic" : "", 100 * other);
+                fmt::print("[ lit      ] {}, {}{}: {:.3f} % of the pixels differ by more than 2/255\n", is_map ? "map" : "limit", style,
+                           orthographic ? ", orthographic" : "", 100 * other);
                 EXPECT_LE(other, 0.001) << style;
                 if (style == "normals") {
                     EXPECT_GT(share_of_other_pixels(bare.render(camera, shade_options), expected, 2.0 / 255), 0.02) << "vertices' normals would do";

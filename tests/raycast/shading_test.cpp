@@ -64,7 +64,7 @@ TEST(Shade, GouraudIsLinearBetweenTheVerticesTones)
     options.to_light = dvec3(1, 2, 2);
     Camera perspective;
     perspective.eye = dvec3(0, 0, 4);
-    perspective.fov_degrees = 40;
+    perspective.fov_degrees = 30;
     perspective.size = {100, 100};
     scene.finish();
     for (const bool headlight : {false, true})
@@ -73,10 +73,10 @@ TEST(Shade, GouraudIsLinearBetweenTheVerticesTones)
                 options.to_light.reset();
             const Image image = shade(scene.seen, camera, options);
             const FragmentTracer tracer(scene.seen, camera);
-            int seen = 0;
-            for (int y = 20; y < 80; ++y)
-                for (int x = 20; x < 80; ++x) {
+            for (int y = 25; y < 75; ++y)
+                for (int x = 25; x < 75; ++x) {
                     const Fragment fragment = tracer.at({x + 0.5, y + 0.5});
+                    ASSERT_TRUE(fragment.hit());
                     const dvec3 weights = {1 - fragment.u - fragment.v, fragment.u, fragment.v};
                     double tone = 0;
                     vec3 place = vec3(0);
@@ -89,9 +89,7 @@ TEST(Shade, GouraudIsLinearBetweenTheVerticesTones)
                     }
                     ASSERT_LT(glm::distance(place, fragment.position), 1e-5f);
                     ASSERT_NEAR(image.at(x, y)[0], tone, 1e-4) << x << "," << y;
-                    ++seen;
                 }
-            EXPECT_EQ(seen, 3600);
         }
 }
 

@@ -252,7 +252,7 @@ TEST_F(SceneJson, AValueOfTheWrongTypeOrOutOfRangeIsNamedByTheWayToIt)
     EXPECT_EQ(refusal_of_object(R"("material": 3)"), "objects[0].material: expected the name of a material, or an object with its options, found 3");
     EXPECT_EQ(refusal_with(R"("style": {"curves": "yes"})"), "style.curves: expected true or false, found \"yes\"");
     EXPECT_EQ(refusal_with(R"("style": {"width": true})"), "style.width: expected 0.01..50 mm, found true");
-    EXPECT_EQ(refusal_with(R"("render": {"shading": "tune"})"), "render.shading: expected one of smooth|flat|toon, found \"tune\"");
+    EXPECT_EQ(refusal_with(R"("render": {"shading": "tune"})"), "render.shading: expected one of smooth|flat|toon|gouraud|normals, found \"tune\"");
     EXPECT_EQ(refusal_with(R"("render": {"toon-levels": 2.5})"), "render.toon-levels: expected a whole number in 2..16, found 2.5");
     EXPECT_EQ(refusal_with(R"("lines": {"crease-angle": 200})"), "lines.crease-angle: expected a number in 0..180 degrees, found 200");
     EXPECT_EQ(refusal_with(R"("lines": {"lines": ["contour", [1]]})").find("lines.lines: expected one of illustration|technical|all|"), 0u);
