@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu/gpu.h"
+#include "limn/scene/loop_model.h"
+#include "limn/subdivision/control_samples.h"
 #include "support/staged_shape.h"
 
 namespace limn::test {
@@ -14,7 +16,7 @@ namespace {
 /// Styles of `limn render`, each with another light.
 std::vector<std::pair<std::string, ShadeOptions>> styles(const SeenScene& scene)
 {
-    ShadeOptions smooth, flat, toon, dark;
+    ShadeOptions smooth, flat, toon, dark, gouraud, normals;
     smooth.ground = ground_under(scene, dvec3(0, 0, 1));
     flat.shading = Shading::flat;
     flat.to_light = dvec3(1, -2, 3);
@@ -25,7 +27,11 @@ std::vector<std::pair<std::string, ShadeOptions>> styles(const SeenScene& scene)
     dark.dark = vec3(0.05f);
     dark.light = vec3(0.3f, 0.32f, 0.4f);
     dark.background = vec3(0);
-    return {{"smooth", smooth}, {"flat", flat}, {"toon", toon}, {"dark", dark}};
+    gouraud.shading = Shading::gouraud;
+    gouraud.lamp = toon.lamp;
+    normals.shading = Shading::normals;
+    normals.ground = smooth.ground;
+    return {{"smooth", smooth}, {"flat", flat}, {"toon", toon}, {"dark", dark}, {"gouraud", gouraud}, {"normals", normals}};
 }
 
 double share_of_other_pixels(const Image& a, const Image& b, double limit)
@@ -51,7 +57,7 @@ TEST_F(GpuLit, PicturesAreThoseOfTheProcessor)
         const gpu::LitRenderer renderer(stage.model);
         for (const auto& [style, options] : styles(stage.seen()))
             for (const bool orthographic : {false, true}) {
-                const Camera camera = stage.camera({240, 180}, orthographic);
+                const Camera camera = stage.camera({200, 150}, orthographic);
                 const double other = share_of_other_pixels(renderer.render(camera, options), shade(stage.seen(), camera, options), 2.0 / 255);
                 fmt::print("[ lit      ] {}, {}{}: {:.3f} % of the pixels differ by more than 2/255\n", name, style, orthographic ? ", orthographic" : "", 100 * other);
                 EXPECT_LE(other, 0.001) << name << ", " << style;
@@ -76,6 +82,38 @@ TEST_F(GpuLit, EachObjectHasAMaterialOfItsOwn)
     EXPECT_LE(share_of_other_pixels(device, shade(seen, camera, options), 2.0 / 255), 0.001);
     options.materials.pop_back();
     EXPECT_THROW(gpu::LitRenderer(model).render(camera, options), Error::Input);
+}
+
+// Control meshes with their normals in a map: two objects share one, turned, and a third has its own.
+TEST_F(GpuLit, NormalsFromMapsAreThoseOfTheProcessor)
+{
+    SubdivisionOptions options;
+    options.scheme = SubdivisionOptions::Scheme::loop;
+    const auto model = [&](const char* sample) { return std::make_shared<const LoopModel>(make_control_sample(sample), options); };
+    for (const auto normals : {SubdivisionOptions::Normals::map, SubdivisionOptions::Normals::limit}) {
+        const bool is_map = normals == SubdivisionOptions::Normals::map;
+        options.normals = normals;
+        const auto creature = model("creature"), rook = model("rook");
+        const PlacedLoop placed[] = {{creature}, {creature, glm::rotate(glm::translate(dmat4(1), dvec3(0.5, 0.2, 2)), 0.7, dvec3(1, 2, 3))},
+                                     {rook, glm::translate(dmat4(1), dvec3(-1.5, 0, 1))}};
+        for (const bool orthographic : {false, true}) {
+            const Camera camera = Camera::framing({dvec3(-2), dvec3(2)}, {.view = "35,25", .up_axis = 'y', .size = {240, 180}, .orthographic = orthographic});
+            const auto view = make_loop_view(placed, camera);
+            const gpu::LitRenderer renderer(view->lines, 2048, view->mapped_normals()), bare(view->lines);
+            for (const auto& [style, shade_options] : styles(view->seen)) {
+                if (style != "smooth" && style != "normals" && !(is_map && style == "gouraud"))
+                    continue; // what else there is has been compared above, or takes no normals from maps
+                const Image expected = shade(view->seen, camera, shade_options), painted = renderer.render(camera, shade_options);
+                const double other = share_of_other_pixels(painted, expected, 2.0 / 255);
+                fmt::print("[ lit      ] {}, {}{}: {:.3f} % of the pixels differ by more than 2/255\n", is_map ? "map" : "limit", style,
+                           orthographic ? ", orthographic" : "", 100 * other);
+                EXPECT_LE(other, 0.001) << style;
+                if (style == "normals") {
+                    EXPECT_GT(share_of_other_pixels(bare.render(camera, shade_options), expected, 2.0 / 255), 0.02) << "vertices' normals would do";
+                }
+            }
+        }
+    }
 }
 
 TEST_F(GpuLit, LargePicturesArePutTogetherFromTiles)

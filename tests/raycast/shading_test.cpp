@@ -56,6 +56,61 @@ TEST(Shade, ADirectionalLightDoesNotTurnWithTheCamera)
     }
 }
 
+TEST(Shade, GouraudIsLinearBetweenTheVerticesTones)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 200));
+    ShadeOptions options = grey(Shading::gouraud);
+    options.to_light = dvec3(1, 2, 2);
+    Camera perspective;
+    perspective.eye = dvec3(0, 0, 4);
+    perspective.fov_degrees = 30;
+    perspective.size = {100, 100};
+    scene.finish();
+    for (const bool headlight : {false, true})
+        for (const Camera& camera : {test::orthographic_camera(100), perspective}) {
+            if (headlight)
+                options.to_light.reset();
+            const Image image = shade(scene.seen, camera, options);
+            const FragmentTracer tracer(scene.seen, camera);
+            for (int y = 25; y < 75; ++y)
+                for (int x = 25; x < 75; ++x) {
+                    const Fragment fragment = tracer.at({x + 0.5, y + 0.5});
+                    ASSERT_TRUE(fragment.hit());
+                    const dvec3 weights = {1 - fragment.u - fragment.v, fragment.u, fragment.v};
+                    double tone = 0;
+                    vec3 place = vec3(0);
+                    for (int k = 0; k < 3; ++k) {
+                        const std::uint32_t vertex = scene.triangles[0][fragment.triangle][k];
+                        const vec3 p = scene.positions[0][vertex], n = scene.normals[0][vertex];
+                        const dvec3 to_eye = camera.orthographic ? dvec3(0, 0, 1) : glm::normalize(camera.eye - dvec3(p));
+                        tone += weights[k] * std::max(0.0, glm::dot(dvec3(n), headlight ? to_eye : dvec3(1, 2, 2) / 3.0));
+                        place += float(weights[k]) * p;
+                    }
+                    ASSERT_LT(glm::distance(place, fragment.position), 1e-5f);
+                    ASSERT_NEAR(image.at(x, y)[0], tone, 1e-4) << x << "," << y;
+                }
+        }
+}
+
+TEST(Shade, NormalsAreColoursOfTheInterpolatedNormals)
+{
+    test::ShapeScene scene;
+    scene.add(test::shape("sphere", 50000));
+    ShadeOptions options = grey(Shading::normals);
+    options.lamp = dvec3(3, 3, 3);
+    const Image image = shade(scene.finish(), test::orthographic_camera(120), options);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 120; ++x) {
+            const vec3 n = {(float(x) - 59.5f) / 50, (59.5f - float(y)) / 50, 0};
+            const float r2 = glm::dot(n, n);
+            if (r2 < 0.9f) {
+                const float* pixel = image.at(x, y);
+                ASSERT_LT(glm::distance(vec3(pixel[0], pixel[1], pixel[2]), 0.5f + 0.5f * (n + vec3(0, 0, std::sqrt(1 - r2)))), 2e-3f);
+            }
+        }
+}
+
 TEST(Shade, FlatGivesEachTriangleOneTone)
 {
     test::ShapeScene scene;

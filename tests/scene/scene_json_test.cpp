@@ -153,7 +153,7 @@ std::string another_value(OptionKind kind, const std::string& name, const std::s
                                                                {"page", "A3"}, {"width", "0.6mm"}, {"colour", "#010203"}};
     switch (kind) {
     case OptionKind::number: return range.ends_with("..1") || range.ends_with("..0.999") ? "0.625" : "3.5";
-    case OptionKind::whole: return "5";
+    case OptionKind::whole: return std::to_string(std::stoi(range) + (std::to_string(std::stoi(range) + 3) == usual ? 4 : 3));
     case OptionKind::yes_no: return usual == "yes" ? "no" : "yes";
     case OptionKind::colour: return "#123456";
     case OptionKind::vector: return "1,2,3";
@@ -189,6 +189,7 @@ TEST_F(SceneJson, EveryRowOfEveryTableIsAKey)
     every_row_is_a_key("surface", estimate_option_table(), &Scene::surface, folder_.path());
     every_row_is_a_key("shader-lines", shader_line_option_table(), &Scene::shader_lines, folder_.path());
     every_row_is_a_key("image-lines", image_line_option_table(), &Scene::image_lines, folder_.path());
+    every_row_is_a_key("subdivision", subdivision_option_table(), &Scene::subdivision, folder_.path());
 }
 
 TEST_F(SceneJson, LightsOfTheRenderOptionsAreWrittenAsLights)
@@ -251,7 +252,7 @@ TEST_F(SceneJson, AValueOfTheWrongTypeOrOutOfRangeIsNamedByTheWayToIt)
     EXPECT_EQ(refusal_of_object(R"("material": 3)"), "objects[0].material: expected the name of a material, or an object with its options, found 3");
     EXPECT_EQ(refusal_with(R"("style": {"curves": "yes"})"), "style.curves: expected true or false, found \"yes\"");
     EXPECT_EQ(refusal_with(R"("style": {"width": true})"), "style.width: expected 0.01..50 mm, found true");
-    EXPECT_EQ(refusal_with(R"("render": {"shading": "tune"})"), "render.shading: expected one of smooth|flat|toon, found \"tune\"");
+    EXPECT_EQ(refusal_with(R"("render": {"shading": "tune"})"), "render.shading: expected one of smooth|flat|toon|gouraud|normals, found \"tune\"");
     EXPECT_EQ(refusal_with(R"("render": {"toon-levels": 2.5})"), "render.toon-levels: expected a whole number in 2..16, found 2.5");
     EXPECT_EQ(refusal_with(R"("lines": {"crease-angle": 200})"), "lines.crease-angle: expected a number in 0..180 degrees, found 200");
     EXPECT_EQ(refusal_with(R"("lines": {"lines": ["contour", [1]]})").find("lines.lines: expected one of illustration|technical|all|"), 0u);

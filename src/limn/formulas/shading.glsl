@@ -25,11 +25,17 @@ FORMULA float toon_tone(const float lit, const float limit, const float levels)
     return min(tone, brighter) / brighter;
 }
 
-// Tone of a surface of which a side is seen: Lambert's law, in even steps where `levels` is not 0.
+// Tone of the side of a surface that the normal points out of: Lambert's law, in even steps where `levels` is not 0.
+FORMULA float side_tone(const vec3 n, const vec3 to_light, const float limit, const float levels)
+{
+    float lit = min(1.0f, diffuse(n, to_light));
+    return levels > 0.0f ? toon_tone(lit, limit, levels) : lit;
+}
+
+// Tone of the side that is seen.
 FORMULA float surface_tone(const vec3 n, const vec3 to_eye, const vec3 to_light, const float limit, const float levels)
 {
-    float lit = min(1.0f, diffuse(seen_normal(n, to_eye), to_light));
-    return levels > 0.0f ? toon_tone(lit, limit, levels) : lit;
+    return side_tone(seen_normal(n, to_eye), to_light, limit, levels);
 }
 
 // A step between two colours that the eye sees: an edge that needs anti-aliasing.

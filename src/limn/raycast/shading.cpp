@@ -53,21 +53,28 @@ struct Shader {
     bool orthographic;
     FragmentTracer tracer;
 
-    float tone(const vec3& position, const vec3& normal, const vec3& to_eye) const
+    vec3 light_from(const vec3& position, const vec3& to_eye) const
     {
         const vec3 d = lamp ? *lamp - position : vec3(0);
-        const vec3 towards = d != vec3(0) ? glm::normalize(d) : to_light != vec3(0) ? to_light : to_eye;
-        return formulas::surface_tone(normal, to_eye, towards, options.toon_limit, options.shading == Shading::toon ? float(options.toon_levels) : 0.0f);
+        return d != vec3(0) ? glm::normalize(d) : to_light != vec3(0) ? to_light : to_eye;
     }
+    float toon_levels() const { return options.shading == Shading::toon ? float(options.toon_levels) : 0.0f; }
+    float tone(const vec3& position, const vec3& normal, const vec3& to_eye) const
+    {
+        return formulas::surface_tone(normal, to_eye, light_from(position, to_eye), options.toon_limit, toon_levels());
+    }
+    /// Of the side of the triangle that is seen: at a vertex on the contour the normal itself cannot tell.
     float tone_between_vertices(const Fragment& fragment) const
     {
         const SeenObject& object = scene.objects[fragment.object];
         const float weights[3] = {1 - fragment.u - fragment.v, fragment.u, fragment.v};
+        const float side = fragment.front() ? 1 : -1;
         float sum = 0;
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t vertex = object.triangles.triangles[fragment.triangle][k];
             const vec3& position = object.triangles.positions[vertex];
-            sum += weights[k] * tone(position, object.normals[vertex], orthographic ? eye : glm::normalize(eye - position));
+            const vec3 towards = light_from(position, orthographic ? eye : glm::normalize(eye - position));
+            sum += weights[k] * formulas::side_tone(side * object.normals[vertex], towards, options.toon_limit, toon_levels());
         }
         return sum;
     }

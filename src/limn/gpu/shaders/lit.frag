@@ -25,7 +25,7 @@ in vec3 position;
 in vec3 normal;
 flat in uint object;
 in vec2 uv;
-in float vertex_tone;
+in vec2 vertex_tones;
 layout(location = 0) out vec4 colour;
 
 vec3 face_normal(const vec3 to_eye)
@@ -58,11 +58,17 @@ vec3 surface_normal(const vec3 to_eye)
     return mapped != 0 ? normal_in_map() : normalize(normal);
 }
 
+float tone_seen(const vec3 n, const vec3 to_eye)
+{
+    if (shading != 3 || dot(normal, normal) == 0.0f)
+        return tone_at(position, n, to_eye);
+    return dot(face_normal(to_eye), to_eye) > 0.0f ? vertex_tones.x : vertex_tones.y;
+}
+
 void main()
 {
     vec3 to_eye = orthographic != 0 ? eye : normalize(eye - position);
     vec3 n = surface_normal(to_eye);
     Colours c = colours[object];
-    bool at_vertices = shading == 3 && dot(normal, normal) > 0.0f;
-    colour = shading == 4 ? vec4(normal_colour(n), 1.0f) : mix(c.dark, c.light, at_vertices ? vertex_tone : tone_at(position, n, to_eye));
+    colour = shading == 4 ? vec4(normal_colour(n), 1.0f) : mix(c.dark, c.light, tone_seen(n, to_eye));
 }

@@ -14,7 +14,7 @@ out vec3 position;
 out vec3 normal;
 flat out uint object;
 out vec2 uv;
-out float vertex_tone;
+out vec2 vertex_tones; // of the surface's outer side and its inner one
 
 void main()
 {
@@ -24,6 +24,7 @@ void main()
     normal = normals[vertex].xyz;
     object = uint(p.w + 0.5f);
     uv = mapped != 0 ? uvs[gl_VertexID] : vec2(0.0f);
-    vertex_tone = tone_at(position, normal, orthographic != 0 ? eye : normalize(eye - position));
+    vec3 to_light = light_from(position, orthographic != 0 ? eye : normalize(eye - position));
+    vertex_tones = vec2(side_tone(normal, to_light, toon_limit, toon_levels), side_tone(-normal, to_light, toon_limit, toon_levels));
     gl_Position = to_clip * vec4(p.xyz, 1.0f);
 }
