@@ -10,6 +10,8 @@ namespace {
 
 /// Levels below the refined face to which faces with an extraordinary vertex are cut at first.
 constexpr int first_levels = 1;
+/// How many parts of a side beside what is not cut into polynomials yet are looked at for changes of sign.
+constexpr int parts_of_rest = 16;
 /// Crossings are kept this far away from the ends of their side.
 constexpr double least = 1e-7;
 
@@ -161,7 +163,7 @@ void append_change(const ContourCell& cell, const dvec2& from, const dvec2& alon
     changes.push_back(std::clamp(0.5 * (low + high), least, 1 - least));
 }
 
-/// Where g changes its sign along a segment, from 0 to 1: all changes along the sides of pieces; beside rests one where there must be one.
+/// Where g changes its sign along a segment, from 0 to 1: all changes along the sides of pieces; beside rests those that samples show.
 std::vector<double> changes_along(const ContourCell& cell, const dvec2& from, const dvec2& to)
 {
     const dvec2 along = to - from;
@@ -186,8 +188,8 @@ std::vector<double> changes_along(const ContourCell& cell, const dvec2& from, co
     known.push_back({1, 1});
     double reached = 0;
     for (const auto& [begin, end] : known) {
-        if (begin > reached)
-            append_change(cell, from, along, reached, begin, changes);
+        for (int i = 0; i < parts_of_rest && begin > reached; ++i)
+            append_change(cell, from, along, glm::mix(reached, begin, double(i) / parts_of_rest), glm::mix(reached, begin, double(i + 1) / parts_of_rest), changes);
         reached = std::max(reached, end);
     }
     std::sort(changes.begin(), changes.end());
