@@ -272,6 +272,13 @@ std::array<SplitCell, 4> split(const ContourCell& cell)
     return out;
 }
 
+/// Growth around a rest tells of the rest as well, but not where a sharp edge wears off in it.
+bool has_fading_rest(const ContourCell& cell)
+{
+    const PatchTable& table = cell.of.shape->table();
+    return std::any_of(cell.rests.begin(), cell.rests.end(), [&](const ContourRest& rest) { return table.patch_class(table.class_of(rest.refined_face)).fades; });
+}
+
 class Tracer {
 public:
     Tracer(const NeedsPoint& needs, int deepest) : needs_(needs), deepest_(deepest) {}
@@ -285,7 +292,7 @@ public:
             join_pairs(cell, crossings);
             return;
         }
-        if (cell.rests.empty() && (n == 0 || n == 2)) { // of rests growth is not known
+        if (!has_fading_rest(cell) && (n == 0 || n == 2)) {
             const dvec2 direction = direction_of_growth(cell, n == 0 ? centroid(cell.corners) : 0.5 * (crossings[0].at + crossings[1].at), crossings);
             if (direction != dvec2(0)) {
                 if (n == 2)

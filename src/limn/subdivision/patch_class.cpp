@@ -28,6 +28,7 @@ public:
         patches_.nodes.emplace_back();
         Impulses impulses = unit_impulses(root_vertices_);
         patches_.anchored = regular_points(root).empty();
+        patches_.fades = std::any_of(root.sharpness.begin(), root.sharpness.end(), [](float s) { return s > 0 && s < infinitely_sharp; });
         if (patches_.anchored)
             add_corner(root, impulses);
         fill(0, root, std::move(impulses), 0);

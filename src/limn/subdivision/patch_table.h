@@ -29,6 +29,7 @@ struct PatchClass {
     /// Where there is more than one patch, the first three rows are the limit position of the first corner and two directions of its tangent
     /// plane (LimitPoint), and the rows of patches give their coefficients as seen from there: so they keep their digits however small they are.
     bool anchored = false;
+    bool fades = false;          ///< there are semi-sharp edges: near them the surface turns at every level otherwise
     std::vector<Node> nodes;     ///< the first is the whole triangle
     std::vector<double> weights; ///< rows of `support`
     std::span<const double> row(std::size_t i) const { return {weights.data() + i * support, support}; }
