@@ -58,6 +58,7 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 {
     const std::string text = fmt::format(R"(#include "limn/formulas/radial_curvature.glsl"
 #include "limn/formulas/apparent_ridge.glsl"
+#include "limn/formulas/normal_map.glsl"
 #include "limn/formulas/shading.glsl"
 #include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/sobel.glsl"
@@ -196,6 +197,14 @@ Values pictures(const Point& p, const RadialTerms&)
 {
     const vec3 n = vec3(p.n), v = glm::normalize(vec3(p.v)), step = vec3(p.k.z, p.k.w, 0.5f) / 48.0f;
     return {{{surface_tone(n, v, vec3(p.e1), 0.3f, 0.0f), 1}, {is_step(vec3(p.e1), vec3(p.e1) + 1.5f * step) ? 1.0f : 0.0f, 0}, {ground_cover(5 * p.k.z), 1}}};
+}
+
+Values maps(const Point& p, const RadialTerms&)
+{
+    const vec3 n = vec3(p.n), aside = 0.5f * vec3(p.e1), above = 0.5f * vec3(p.e2);
+    const vec2 place = map_place(vec2(p.k.z, p.k.w), 64.0f);
+    const vec3 mixed = map_normal(normal_colour(n), normal_colour(n + aside), normal_colour(n - above), normal_colour(n + aside + above), vec2(p.k.z, p.k.w));
+    return {{{mixed.x, 1}, {mixed.y, 1}, {mixed.z, 1}, {place.x, 64}, {place.y, 64}, {side_tone(n, glm::normalize(vec3(p.v)), 0.3f, 0.0f), 1}}};
 }
 
 Values places(const Point& p, const RadialTerms&)
@@ -352,6 +361,11 @@ const Formula formulas_of_the_library[] = {
      "r[0] = surface_tone(n, normalize(v), p.e1.xyz, 0.3f, 0.0f); vec3 s = vec3(p.k.z, p.k.w, 0.5f) / 48.0f;"
      "r[1] = is_step(p.e1.xyz, p.e1.xyz + 1.5f * s) ? 1.0f : 0.0f; r[2] = ground_cover(5.0f * p.k.z);",
      pictures},
+    {"normal_colour, map_place, map_normal, side_tone",
+     "vec3 aside = 0.5f * p.e1.xyz; vec3 above = 0.5f * p.e2.xyz; vec2 place = map_place(p.k.zw, 64.0f); vec3 mixed = map_normal(normal_colour(n),"
+     "normal_colour(n + aside), normal_colour(n - above), normal_colour(n + aside + above), p.k.zw); r[0] = mixed.x; r[1] = mixed.y; r[2] = mixed.z;"
+     "r[3] = place.x; r[4] = place.y; r[5] = side_tone(n, normalize(v), 0.3f, 0.0f);",
+     maps},
     {"toon_tone", "float lit = (floor(p.k.z * 20.0f) + 0.5f) / 20.0f; r[0] = toon_tone(lit, 0.3f, 2.0f); r[1] = toon_tone(lit, 0.31f, 5.0f);", toon},
 };
 

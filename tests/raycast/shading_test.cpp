@@ -10,6 +10,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/raycast/mapped_normals.h"
 #include "raycast/scene.h"
 
 namespace limn {
@@ -61,6 +62,7 @@ TEST(Shade, GouraudIsLinearBetweenTheVerticesTones)
     test::ShapeScene scene;
     scene.add(test::shape("sphere", 200));
     ShadeOptions options = grey(Shading::gouraud);
+    options.samples = 1; // the pixel's middle
     options.to_light = dvec3(1, 2, 2);
     Camera perspective;
     perspective.eye = dvec3(0, 0, 4);
@@ -109,6 +111,22 @@ TEST(Shade, NormalsAreColoursOfTheInterpolatedNormals)
                 ASSERT_LT(glm::distance(vec3(pixel[0], pixel[1], pixel[2]), 0.5f + 0.5f * (n + vec3(0, 0, std::sqrt(1 - r2)))), 2e-3f);
             }
         }
+}
+
+TEST(MappedNormal, IsMixedBetweenTheMiddlesOfTexelsAndCountsFromBelow)
+{
+    Image map({2, 2}, 3, 0.5f); // +x and +y above, +z and -x below
+    map.at(0, 0)[0] = 1, map.at(1, 0)[1] = 1, map.at(0, 1)[2] = 1, map.at(1, 1)[0] = 0;
+    const auto expect = [&](const vec2& uv, const vec3& normal) { EXPECT_LT(glm::distance(mapped_normal(map, uv), glm::normalize(normal)), 1e-6f) << uv.x << "," << uv.y; };
+    expect({0.25f, 0.75f}, {1, 0, 0});
+    expect({0.75f, 0.75f}, {0, 1, 0});
+    expect({0.25f, 0.25f}, {0, 0, 1});
+    expect({0.75f, 0.25f}, {-1, 0, 0});
+    expect({0.5f, 0.75f}, {1, 1, 0});
+    expect({0.25f, 0.375f}, {1, 0, 3});
+    expect({0, 1}, {1, 0, 0}); // the border goes on
+    expect({0.5f, 0.5f}, {0, 1, 1});
+    EXPECT_EQ(mapped_normal(Image({2, 2}, 3, 0.5f), {0.5f, 0.5f}), vec3(0, 0, 1)) << "no direction at all";
 }
 
 TEST(Shade, FlatGivesEachTriangleOneTone)

@@ -115,7 +115,10 @@ void LitRenderer::draw(const Framebuffer& picture, const Projector& projector, c
     glEnable(GL_DEPTH_TEST);
     surface_.set("to_clip", clip_matrix(projector, tile, offset));
     surface_.use();
-    maps_ ? buffers_.draw_corners() : buffers_.draw();
+    if (maps_)
+        buffers_.draw_corners();
+    else
+        buffers_.draw();
 }
 
 Image LitRenderer::draw_tile(const Projector& projector, const Tile& tile, int samples) const

@@ -77,8 +77,8 @@ Texture make_texture(Format format, ivec2 size);
 /// its border repeated. The first row of an image has t = 0. @throws Error::Device where the device has no room.
 Texture make_mipmaps(const std::vector<Image>& levels);
 
-/// An array of RGBA textures of 16 bits a channel, without filtering, from pictures of one size with 3 or 4 channels of 0 to 1: a layer each. The first row of an
-/// image has t = 0. @throws Error::Device where the device has no room.
+/// An array of RGBA textures of 16 bits a channel, not filtered, each a layer: pictures of one size with 3 or 4 channels, of 0 to 1. The first row
+/// of an image has t = 0. @throws Error::Device where the device has no room.
 Texture make_texture_array(const std::vector<const Image*>& layers);
 
 /// For the sampler at a binding point.
