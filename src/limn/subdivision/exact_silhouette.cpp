@@ -29,7 +29,7 @@ bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front
 {
     const uvec3& t = view.topology().triangles[face];
     const std::vector<dvec3>& p = view.pose.corners.positions;
-    if (turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) > view.pixels)
+    if (turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) > view.turned_pixels())
         return false;
     for (int k = 0; k < 3 && front && view.surface_pixels > 0; ++k) {
         const dvec3& middle = view.pose.middles[view.topology().edge[3 * face + std::uint32_t(k)]];

@@ -400,7 +400,7 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
                 for (int k = 0; k < 3; ++k)
                     corners[std::size_t(k)] = position_of(view, face.face, out.points[t[k]], edges, out.own);
                 const double turned = turned_over(view, corners, region.front);
-                out.to_split[i] = out.to_split[i] || turned > view.pixels;
+                out.to_split[i] = out.to_split[i] || turned > view.turned_pixels();
                 out.most_turned = std::max(out.most_turned, turned);
                 out.triangles.push_back(t);
             }

@@ -54,7 +54,7 @@ struct FaceTriangles {
     std::vector<SurfaceSample> own;
     std::vector<uvec3> triangles;     ///< of points
     std::vector<std::vector<std::uint32_t>> curves;
-    /// Per leaf: whether a triangle is turned over in the picture, against what the contour says, by more than SilhouetteView::pixels, or is
+    /// Per leaf: whether a triangle is turned over in the picture, against what the contour says, by more than SilhouetteView::turned_pixels, or is
     /// further from the surface than SilhouetteView::surface_pixels.
     std::vector<bool> to_split;
     double most_turned = 0; ///< pixels: the greatest height of triangles that are turned over
