@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    const SurfaceSample& sample(const dvec2& at)
+    SurfaceSample sample(const dvec2& at)
     {
         for (const auto& [place, known] : samples_)
             if (place == at)
