@@ -39,25 +39,35 @@ std::vector<dvec3> posed(const SilhouetteSubject& subject, std::size_t number, s
     return positions;
 }
 
-/// @param make  make(positions, camera, frame) fills in the pose's and the silhouette's times and returns a mesh with normals
-template <class Make> std::vector<Frame> time_made(const SilhouetteSubject& subject, const std::vector<Camera>& cameras, MeshPainter& painter, Make&& make)
+/// Times frames of the mesh as it breathes; the first does not count.
+/// @param make  make(positions, camera, frame) fills in the times up to the upload, and uploads
+template <class Make> std::vector<Frame> time_frames(const SilhouetteSubject& subject, const std::vector<Camera>& cameras, MeshPainter& painter, Make&& make)
 {
     std::vector<Frame> frames;
-    for (std::size_t i = 0; i <= cameras.size(); ++i) { // the first does not count
+    for (std::size_t i = 0; i <= cameras.size(); ++i) {
         const Camera& camera = cameras[i % cameras.size()];
         const std::vector<dvec3> positions = posed(subject, i, cameras.size());
         Frame frame;
-        const SilhouetteMesh made = make(positions, camera, frame);
+        make(positions, camera, frame);
         Stopwatch watch;
-        painter.keep_triangles(made.mesh.triangles);
-        painter.upload(made.mesh.positions, std::span<const vec3>(made.mesh.corner_normals));
-        frame.upload = 1e3 * watch.lap();
         painter.draw(camera, subject.bounds());
         frame.draw = 1e3 * watch.lap();
         if (i > 0)
             frames.push_back(frame);
     }
     return frames;
+}
+
+/// @param make  make(positions, camera, frame) fills in the pose's and the silhouette's times and returns a mesh with normals
+template <class Make> std::vector<Frame> time_made(const SilhouetteSubject& subject, const std::vector<Camera>& cameras, MeshPainter& painter, Make&& make)
+{
+    return time_frames(subject, cameras, painter, [&](const std::vector<dvec3>& positions, const Camera& camera, Frame& frame) {
+        const SilhouetteMesh made = make(positions, camera, frame);
+        Stopwatch watch;
+        painter.keep_triangles(made.mesh.triangles);
+        painter.upload(made.mesh.positions, std::span<const vec3>(made.mesh.corner_normals));
+        frame.upload = 1e3 * watch.lap();
+    });
 }
 
 std::vector<Frame> time_level(const SilhouetteSubject& subject, const std::vector<Camera>& cameras, MeshPainter& painter, int level)
@@ -67,23 +77,14 @@ std::vector<Frame> time_level(const SilhouetteSubject& subject, const std::vecto
     painter.keep_triangles(topology.triangles);
     LevelPositions fine;
     LimitSurface limit;
-    std::vector<Frame> frames;
-    for (std::size_t i = 0; i <= cameras.size(); ++i) { // the first does not count
-        const Camera& camera = cameras[i % cameras.size()];
-        const std::vector<dvec3> positions = posed(subject, i, cameras.size());
-        Frame frame;
+    return time_frames(subject, cameras, painter, [&](const std::vector<dvec3>& positions, const Camera&, Frame& frame) {
         Stopwatch watch;
         kept.pose(positions, fine);
         limit_surface(topology, fine.back(), CreaseRule::opensubdiv, limit);
         frame.pose = 1e3 * watch.lap();
         painter.upload(limit.positions, std::span<const dvec3>(limit.normals));
         frame.upload = 1e3 * watch.lap();
-        painter.draw(camera, subject.bounds());
-        frame.draw = 1e3 * watch.lap();
-        if (i > 0)
-            frames.push_back(frame);
-    }
-    return frames;
+    });
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/geometry/counted.h"
 #include "limn/base/parallel.h"
 
 namespace limn {
@@ -252,9 +253,9 @@ ControlMesh make_control_mesh(const Mesh& mesh, const ControlOptions& options)
 std::vector<std::string> notes_of(const ControlNotes& notes)
 {
     std::vector<std::string> all;
-    const auto say = [&](std::size_t count, std::string_view one, std::string_view many) {
+    const auto say = [&](std::size_t count, const char* one, const char* many) {
         if (count > 0)
-            all.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+            all.push_back(counted(count, one, many));
     };
     say(notes.non_manifold_edges, "non-manifold edge, cut open", "non-manifold edges, cut open");
     say(notes.split_vertices, "vertex added where fans of faces met", "vertices added where fans of faces met");

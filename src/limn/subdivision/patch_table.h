@@ -50,7 +50,6 @@ public:
     const LoopTopology& refined() const { return refined_; }
     std::uint32_t class_of(std::uint32_t refined_face) const { return class_[refined_face]; }
     const PatchClass& patch_class(std::uint32_t number) const { return classes_[number]; }
-    std::size_t class_count() const { return classes_.size(); }
     /// The vertices of the refined mesh that a face of it depends on.
     std::span<const std::uint32_t> support(std::uint32_t refined_face) const
     {

@@ -53,8 +53,8 @@ struct Facing {
 };
 
 /// Whether a contour may run between some places: they are not all turned to the eye in the same way, or one of them comes as near to being
-/// seen edge-on as they are turned against each other, times `share`. (Half as near would do if normals turned evenly between them. No contour
-/// was missed along 79,000 crossed edges of four models with a share of .8 and more, nor a closed one within a face with .2; docs/silhouettes.md.)
+/// seen edge-on as they are turned against each other, times `share`. (Half as near would do if normals turned evenly between them. That nothing
+/// is missed with these shares is not proven; ExactSilhouette.MissesNoCrossings compares with a search of every edge.)
 bool may_be_crossed(std::span<const Facing> places, double share);
 inline constexpr double share_of_edges = 1, share_of_faces = 0.5;
 
