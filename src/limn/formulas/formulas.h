@@ -9,6 +9,9 @@
 #define OUT(T) T&
 #define INOUT(T) T&
 #define OUT_ARRAY(T, name, n) T (&name)[n]
+#define REAL double // where a formula has to be exact on this side
+#define REAL2 dvec2
+#define REAL3 dvec3
 
 namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
@@ -21,6 +24,8 @@ using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/shading.glsl"
 #include "limn/formulas/sobel.glsl"
 #include "limn/formulas/suggestive_line.glsl"
+#include "limn/formulas/terrain_bound.glsl"
+#include "limn/formulas/terrain_error.glsl"
 #include "limn/formulas/texture_lines.glsl"
 } // namespace limn::formulas
 
@@ -28,3 +33,6 @@ using namespace glm; // the formulas use GLSL's names unqualified
 #undef OUT
 #undef INOUT
 #undef OUT_ARRAY
+#undef REAL
+#undef REAL2
+#undef REAL3

@@ -18,6 +18,9 @@ constexpr const char* prelude = R"(#version 450
 #define OUT(T) out T
 #define INOUT(T) inout T
 #define OUT_ARRAY(T, name, n) out T name[n]
+#define REAL float
+#define REAL2 vec2
+#define REAL3 vec3
 )";
 
 GLenum gl_stage(Stage stage)

@@ -1,0 +1,205 @@
+#include "limn/terrain/nested_errors.h"
+
+#include <fmt/format.h>
+
+#include "limn/base/error.h"
+#include "limn/base/parallel.h"
+#include "limn/terrain/triangle_scan.h"
+
+namespace limn {
+namespace {
+
+constexpr float nothing = std::numeric_limits<float>::infinity();
+
+float rounded_up(double value)
+{
+    const float near = float(value);
+    return double(near) < value ? std::nextafter(near, nothing) : near;
+}
+
+/// Whether a sample is NaN somewhere.
+bool has_holes(const HeightMap& map)
+{
+    return std::any_of(map.heights.begin(), map.heights.end(), [](float h) { return std::isnan(h); });
+}
+
+/// Triangles inside the map, of a map without holes.
+double error_of_whole(const HeightMap& map, const BisectionTriangle& t)
+{
+    const HeightPlane plane(map, t.apex, t.a, t.b);
+    const int low = std::min({t.apex.y, t.a.y, t.b.y}), high = std::max({t.apex.y, t.a.y, t.b.y});
+    double worst = 0;
+    for (int row = low; row <= high; ++row) {
+        const RowSpan span = row_span(t, row);
+        const float* heights = &map.heights[map.index(span.first, row)];
+        const double start = plane.at(span.first, row);
+        const int count = span.last - span.first + 1;
+        for (int i = 0; i < count; ++i)
+            worst = std::max(worst, std::abs(double(heights[i]) - (start + plane.per_column * i)));
+    }
+    return worst;
+}
+
+/// Fills one table: finest points first, each from its two triangles and from the points that need it.
+class Nesting {
+public:
+    Nesting(const HeightMap& map, const NestedErrorOptions& options, NestedErrors& out)
+        : map_(map), lattice_(out.lattice), out_(out), whole_(lattice_.is_covered_exactly() && !has_holes(map)), ranges_(options.ranges)
+    {
+        out.errors.assign(lattice_.point_count(), 0);
+        if (ranges_)
+            out.low.assign(lattice_.point_count(), nothing), out.high.assign(lattice_.point_count(), -nothing);
+    }
+    void run()
+    {
+        const ivec2 cells = lattice_.points() - 1;
+        for (int s = 2; s <= lattice_.root_cells(); s *= 2) {
+            const ivec2 squares = cells / s;
+            each_row_of(squares.y + 1, [&](int j) {
+                for (int i = 0; i < squares.x; ++i)
+                    horizontal(i * s, j * s, s);
+            });
+            each_row_of(squares.y, [&](int j) {
+                for (int i = 0; i <= squares.x; ++i)
+                    vertical(i * s, j * s, s);
+            });
+            each_row_of(squares.y, [&](int j) {
+                for (int i = 0; i < squares.x; ++i)
+                    square(i, j, s);
+            });
+        }
+    }
+
+private:
+    template <class F> void each_row_of(int count, F&& f)
+    {
+        parallel_each(std::size_t(count), std::max<std::size_t>(1, std::size_t(count) / 256), [&](std::size_t row) { f(int(row)); });
+    }
+    /// The point in the middle of a horizontal hypotenuse.
+    void horizontal(int x, int y, int s)
+    {
+        const ivec2 a(x, y), b(x + s, y);
+        const int h = s / 2;
+        Point point = start(a, b);
+        if (y > 0)
+            add(point, {{x + h, y - h}, a, b});
+        if (y + 1 < lattice_.points().y)
+            add(point, {{x + h, y + h}, a, b});
+        finish(point);
+    }
+    void vertical(int x, int y, int s)
+    {
+        const ivec2 a(x, y), b(x, y + s);
+        const int h = s / 2;
+        Point point = start(a, b);
+        if (x > 0)
+            add(point, {{x - h, y + h}, a, b});
+        if (x + 1 < lattice_.points().x)
+            add(point, {{x + h, y + h}, a, b});
+        finish(point);
+    }
+    /// The point in the middle of a square, whose diagonal goes through the middle of the next larger square.
+    void square(int i, int j, int s)
+    {
+        const ivec2 nw = ivec2(i, j) * s, se = nw + s, ne(se.x, nw.y), sw(nw.x, se.y);
+        const bool falls = s == lattice_.root_cells() || (i + j) % 2 == 0;
+        const ivec2 a = falls ? nw : ne, b = falls ? se : sw;
+        Point point = start(a, b);
+        add(point, {falls ? ne : nw, a, b});
+        add(point, {falls ? sw : se, a, b});
+        finish(point);
+    }
+    struct Point {
+        std::size_t at;
+        double error = 0;
+        float low = nothing, high = -nothing;
+    };
+    Point start(const ivec2& a, const ivec2& b) const
+    {
+        const ivec2 middle = (a + b) / 2;
+        Point point = {lattice_.index(middle)};
+        if (ranges_)
+            for (const ivec2& p : {a, b, middle})
+                include(point, p);
+        return point;
+    }
+    void include(Point& point, const ivec2& p) const
+    {
+        if (!lattice_.is_sample(p))
+            return;
+        const float height = map_.height(p.x, p.y);
+        point.low = std::min(point.low, std::isnan(height) ? nothing : height);
+        point.high = std::max(point.high, std::isnan(height) ? -nothing : height);
+    }
+    void add(Point& point, const BisectionTriangle& t) const
+    {
+        point.error = std::max(point.error, whole_ ? error_of_whole(map_, t) : triangle_error(map_, lattice_, t));
+        if (ranges_)
+            include(point, t.apex);
+        if (can_split(t.apex, t.a)) {
+            nest(point, lattice_.index((t.apex + t.a) / 2));
+            nest(point, lattice_.index((t.apex + t.b) / 2));
+        }
+    }
+    void nest(Point& point, std::size_t below) const
+    {
+        point.error = std::max(point.error, double(out_.errors[below]));
+        if (ranges_)
+            point.low = std::min(point.low, out_.low[below]), point.high = std::max(point.high, out_.high[below]);
+    }
+    void finish(const Point& point)
+    {
+        out_.errors[point.at] = rounded_up(point.error);
+        if (ranges_)
+            out_.low[point.at] = point.low, out_.high[point.at] = point.high;
+    }
+
+    const HeightMap& map_;
+    const Lattice& lattice_;
+    NestedErrors& out_;
+    bool whole_, ranges_;
+};
+
+} // namespace
+
+double triangle_error(const HeightMap& map, const Lattice& lattice, const BisectionTriangle& triangle)
+{
+    ScanResult result;
+    each_fan_triangle(clip_to_map(lattice, triangle), [&](const ivec2& p, const ivec2& q, const ivec2& r) {
+        const HeightPlane plane(map, p, q, r);
+        const bool known = !std::isnan(plane.per_column);
+        each_row(p, q, r, [&](int row, int first, int last) {
+            for (int column = first; column <= last; ++column) {
+                const double height = map.height(column, row);
+                result.add(std::isnan(height) ? height : known ? std::abs(height - plane.at(column, row)) : 0);
+            }
+        });
+    });
+    return result.error();
+}
+
+int reach_of_point(int half_hypotenuse, bool diagonal)
+{
+    int reach = 1; // of a hypotenuse along a row or column, from 2 cells on
+    for (int half = 1;; half *= 2) {
+        const int of_square = half + reach;
+        if (half == half_hypotenuse)
+            return diagonal ? of_square : reach;
+        reach = std::max(2 * half, half + of_square);
+    }
+}
+
+NestedErrors nest_errors(const HeightMap& map, const Lattice& lattice, const NestedErrorOptions& options)
+{
+    if (map.heights.size() != std::size_t(map.columns) * std::size_t(map.rows) || lattice.columns != map.columns || lattice.rows != map.rows)
+        throw Error::Input(fmt::format("a height map of {} x {} samples with {} heights, and a lattice of {} x {}", map.columns, map.rows, map.heights.size(),
+                                       lattice.columns, lattice.rows));
+    NestedErrors out;
+    out.lattice = lattice;
+    Nesting(map, options, out).run();
+    return out;
+}
+
+NestedErrors nest_errors(const HeightMap& map, const NestedErrorOptions& options) { return nest_errors(map, make_lattice(map.columns, map.rows), options); }
+
+} // namespace limn

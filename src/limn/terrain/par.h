@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "limn/terrain/height_map.h"
+#include "limn/terrain/lattice.h"
+
+namespace limn {
+
+/// Whether an edge, given by its ends, is too far from the height map. It has to give one answer for both orders of the ends.
+using EdgeTest = std::function<bool(const ivec2&, const ivec2&)>;
+/// Whether a triangle can be seen; others are left as they are.
+using TriangleTest = std::function<bool(const BisectionTriangle&)>;
+
+/// What one step of refinement did.
+struct ParStep {
+    int mark_passes = 0;         ///< the last one, which marks nothing, among them
+    std::size_t marks = 0;       ///< edges marked, once for each triangle that asked
+    std::size_t triangles = 0;   ///< after the step
+};
+
+struct ParResult {
+    std::vector<BisectionTriangle> triangles;
+    std::vector<ParStep> steps; ///< the last one splits nothing
+};
+
+/// Parallel adaptive refinement (Heide 2009, "PAR"): all triangles are split at once, along those edges that the test finds, and along
+/// hypotenuses that have to be split with them, which are marked in an edge error map until no new one is found. The mesh is conforming after
+/// every step where all triangles can be seen. The bound that the test stands for holds in the middles of edges, and not everywhere.
+/// @param start  a conforming mesh, such as root_triangles()
+/// @param visible  empty: all are
+/// @param on_step  called with the mesh after each step; may be empty
+ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriangle> start, const EdgeTest& test, const TriangleTest& visible = {},
+                             const std::function<void(const std::vector<BisectionTriangle>&)>& on_step = {});
+
+/// The seed's test in object space: the middle of the edge is more than `tolerance` metres above or below the height map (equation 1).
+/// Outside the map the nearest sample counts. An edge is too far off where some but not all of its three heights are known.
+/// @param map  has to outlive the test
+EdgeTest middle_height_test(const HeightMap& map, double tolerance);
+
+} // namespace limn

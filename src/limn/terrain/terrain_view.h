@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "limn/camera/camera.h"
+#include "limn/terrain/height_map.h"
+#include "limn/terrain/nested_errors.h"
+
+namespace limn {
+
+struct ViewTolerance {
+    double pixels = 1;        ///< 0 or more: how far from its true place the terrain may be drawn
+    double nearest = 0.01;    ///< metres of depth: what is nearer to the eye is as fine as the map
+    bool cull = true;         ///< what no part of the picture shows stays coarse
+};
+
+/// Which triangles a view splits. The error of a lattice point in the picture is bounded by that of a box around everything that needs the
+/// point, so that it is never less than theirs: each triangle decides alone, and the mesh has no cracks (after Lindstrom & Pascucci 2002, with
+/// the projection itself for their distance; the terrain specification, 7.1). The distance is between where the picture shows a point of the
+/// terrain and where it would show the mesh above or below it; where the eye looks down, also as if heights were seen from the side.
+class ViewTest {
+public:
+    /// @param map, errors  have to outlive the test; `errors` with ranges
+    /// @throws Error::Input for a tolerance that is below 0 or no number, or errors without ranges
+    ViewTest(const HeightMap& map, const NestedErrors& errors, const Camera& camera, const ViewTolerance& tolerance);
+    /// Of a triangle that can be split.
+    bool operator()(const BisectionTriangle& t) const { return pixels(t) > tolerance_.pixels; }
+    /// The bound, in pixels, of a triangle that can be split; 0 where it cannot be seen, as good as infinite where there is no bound.
+    double pixels(const BisectionTriangle& t) const;
+
+private:
+    const HeightMap& map_;
+    const NestedErrors& errors_;
+    Camera camera_;
+    ViewTolerance tolerance_;
+    dvec3 right_, above_, forward_;
+    dvec2 across_;
+    double scale_, slack_length_;
+};
+
+/// The triangles of the coarsest mesh of the hierarchy that the view's bound allows.
+std::vector<BisectionTriangle> triangles_in_view(const HeightMap& map, const NestedErrors& errors, const Camera& camera, const ViewTolerance& tolerance = {});
+
+/// The mesh of a view that moves: what changes from view to view is split and merged, the rest is kept.
+class TerrainView {
+public:
+    /// @param map, errors  have to outlive the view
+    TerrainView(const HeightMap& map, const NestedErrors& errors);
+    /// Makes the mesh that of a camera: the same as triangles_in_view() gives, in time that grows with its triangles and those that change.
+    /// @return how many triangles came or went
+    std::size_t update(const Camera& camera, const ViewTolerance& tolerance = {});
+    /// In the order of the hierarchy; some of them may be outside the map.
+    const std::vector<BisectionTriangle>& triangles() const { return triangles_; }
+
+private:
+    const HeightMap& map_;
+    const NestedErrors& errors_;
+    std::vector<BisectionTriangle> triangles_;
+    std::vector<std::uint64_t> paths_; ///< of each: its root's number, then a bit for each bisection
+};
+
+} // namespace limn
