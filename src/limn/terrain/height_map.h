@@ -21,7 +21,10 @@ struct HeightMap {
     float height(int column, int row) const { return heights[index(column, row)]; }
     bool has_data(int column, int row) const { return !std::isnan(height(column, row)); }
     bool contains(int column, int row) const { return column >= 0 && row >= 0 && column < columns && row < rows; }
-    dvec3 position(int column, int row) const { return {column * spacing.x, (rows - 1 - row) * spacing.y, double(height(column, row))}; }
+    dvec3 position(int column, int row) const
+    {
+        return {column * spacing.x, (rows - 1 - row) * spacing.y, double(height(column, row))};
+    }
 };
 
 } // namespace limn
