@@ -122,6 +122,7 @@ TEST(NestedErrors, HoldTheRangesOfHeightsBelow)
     const auto [low, high] = std::minmax_element(map.heights.begin(), map.heights.end());
     EXPECT_EQ(errors.low[errors.lattice.index({32, 32})], *low);
     EXPECT_EQ(errors.high[errors.lattice.index({32, 32})], *high);
+    EXPECT_EQ(errors.errors, nest_errors(map).errors);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/terrain/error_off_legs.h"
 #include "limn/terrain/triangle_scan.h"
 
 namespace limn {
@@ -23,23 +24,6 @@ bool has_holes(const HeightMap& map)
     return std::any_of(map.heights.begin(), map.heights.end(), [](float h) { return std::isnan(h); });
 }
 
-/// Triangles inside the map, of a map without holes.
-double error_of_whole(const HeightMap& map, const BisectionTriangle& t)
-{
-    const HeightPlane plane(map, t.apex, t.a, t.b);
-    const int low = std::min({t.apex.y, t.a.y, t.b.y}), high = std::max({t.apex.y, t.a.y, t.b.y});
-    double worst = 0;
-    for (int row = low; row <= high; ++row) {
-        const RowSpan span = row_span(t, row);
-        const float* heights = &map.heights[map.index(span.first, row)];
-        const double start = plane.at(span.first, row);
-        const int count = span.last - span.first + 1;
-        for (int i = 0; i < count; ++i)
-            worst = std::max(worst, std::abs(double(heights[i]) - (start + plane.per_column * i)));
-    }
-    return worst;
-}
-
 /// Fills one table: finest points first, each from its two triangles and from the points that need it.
 class Nesting {
 public:
@@ -53,7 +37,10 @@ public:
     void run()
     {
         const ivec2 cells = lattice_.points() - 1;
-        for (int s = 2; s <= lattice_.root_cells(); s *= 2) {
+        const bool finest_apart = whole_ && !ranges_ && lattice_.level > 0;
+        if (finest_apart)
+            finest();
+        for (int s = finest_apart ? 4 : 2; s <= lattice_.root_cells(); s *= 2) {
             const ivec2 squares = cells / s;
             each_row_of(squares.y + 1, [&](int j) {
                 for (int i = 0; i < squares.x; ++i)
@@ -75,6 +62,35 @@ private:
     {
         parallel_each(std::size_t(count), std::max<std::size_t>(1, std::size_t(count) / 256), [&](std::size_t row) { f(int(row)); });
     }
+    /// All points of the squares of 2 x 2 cells at once, which most points are: both triangles of such a point have no other sample off their legs.
+    void finest()
+    {
+        const int last = map_.columns - 1;
+        each_row_of((map_.rows + 1) / 2, [&](int j) {
+            for (int x = 1; x < last; x += 2)
+                out_.errors[lattice_.index({x, 2 * j})] = middle_error({x - 1, 2 * j}, {x, 2 * j}, {x + 1, 2 * j});
+        });
+        each_row_of(map_.rows / 2, [&](int j) {
+            const int y = 2 * j + 1;
+            float* errors = &out_.errors[lattice_.index({0, y})];
+            const float *above = &out_.errors[lattice_.index({0, y - 1})], *below = &out_.errors[lattice_.index({0, y + 1})];
+            for (int x = 0; x <= last; x += 2)
+                errors[x] = middle_error({x, y - 1}, {x, y}, {x, y + 1});
+            for (int x = 1; x < last; x += 2) {
+                const int side = falls(x / 2, j, 2) ? 1 : -1;
+                const float own = middle_error({x - side, y - 1}, {x, y}, {x + side, y + 1});
+                errors[x] = std::max({own, errors[x - 1], errors[x + 1], above[x], below[x]});
+            }
+        });
+    }
+    float middle_error(const ivec2& a, const ivec2& middle, const ivec2& b) const
+    {
+        const auto height = [&](const ivec2& p) { return double(map_.height(p.x, p.y)); };
+        return rounded_up(std::abs(height(middle) - 0.5 * (height(a) + height(b))));
+    }
+    /// Whether a square's diagonal, which goes through the middle of the next larger square, falls from north-west to south-east.
+    bool falls(int i, int j, int s) const { return s == lattice_.root_cells() || (i + j) % 2 == 0; }
+
     /// The point in the middle of a horizontal hypotenuse.
     void horizontal(int x, int y, int s)
     {
@@ -98,15 +114,15 @@ private:
             add(point, {{x + h, y + h}, a, b});
         finish(point);
     }
-    /// The point in the middle of a square, whose diagonal goes through the middle of the next larger square.
+    /// The point in the middle of a square.
     void square(int i, int j, int s)
     {
         const ivec2 nw = ivec2(i, j) * s, se = nw + s, ne(se.x, nw.y), sw(nw.x, se.y);
-        const bool falls = s == lattice_.root_cells() || (i + j) % 2 == 0;
-        const ivec2 a = falls ? nw : ne, b = falls ? se : sw;
+        const bool down = falls(i, j, s);
+        const ivec2 a = down ? nw : ne, b = down ? se : sw;
         Point point = start(a, b);
-        add(point, {falls ? ne : nw, a, b});
-        add(point, {falls ? sw : se, a, b});
+        add(point, {down ? ne : nw, a, b});
+        add(point, {down ? sw : se, a, b});
         finish(point);
     }
     struct Point {
@@ -133,7 +149,7 @@ private:
     }
     void add(Point& point, const BisectionTriangle& t) const
     {
-        point.error = std::max(point.error, whole_ ? error_of_whole(map_, t) : triangle_error(map_, lattice_, t));
+        point.error = std::max(point.error, whole_ ? error_off_legs(map_, t) : triangle_error(map_, lattice_, t));
         if (ranges_)
             include(point, t.apex);
         if (can_split(t.apex, t.a)) {

@@ -8,6 +8,11 @@
 
 namespace limn {
 
+/// What is known of the surroundings of a lattice point.
+struct PointBounds {
+    float error = 0, low = 0, high = 0; ///< metres; see NestedErrors
+};
+
 /// For each lattice point, how wrong a mesh may be around it that does not have it as a corner, and between which heights its samples are.
 ///
 /// A point is the middle of one hypotenuse, of the two triangles that it splits. Its error is the greatest distance, in metres along z, of any
@@ -20,6 +25,11 @@ struct NestedErrors {
     std::vector<float> low, high;  ///< metres: all samples of the two triangles and of those of all points below are between; empty if not asked for
 
     float error(const ivec2& p) const { return errors[lattice.index(p)]; }
+    PointBounds bounds(const ivec2& p) const
+    {
+        const std::size_t i = lattice.index(p);
+        return {errors[i], low[i], high[i]};
+    }
 };
 
 struct NestedErrorOptions {

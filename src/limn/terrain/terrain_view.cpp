@@ -1,5 +1,6 @@
 #include "limn/terrain/terrain_view.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -19,59 +20,61 @@ constexpr double slack_of_level = 1e-6;
 /// Levels of points above the finest ones.
 int levels_above(int half_hypotenuse, bool diagonal) { return 2 * std::countr_zero(unsigned(half_hypotenuse)) + int(diagonal); }
 
-/// Leaves of a hierarchy with their paths, in its order; two leaves of one triangle that is not split any more become that one again.
+using Leaf = TerrainView::Leaf;
+
+/// What is known of the point that would split a triangle; nothing of those that cannot be split.
+PointBounds bounds_below(const NestedErrors& errors, const BisectionTriangle& t) { return t.can_split() ? errors.bounds(t.middle()) : PointBounds(); }
+
+/// Leaves of a hierarchy, in its order; two leaves of one triangle that is not split any more become that one again.
 class LeafList {
 public:
     /// @param first_inner  the least path of a triangle that has a sibling
-    LeafList(const ViewTest& test, std::uint64_t first_inner) : test_(test), first_inner_(first_inner) {}
-    void add(const BisectionTriangle& t, std::uint64_t path)
+    LeafList(const NestedErrors& errors, const ViewTest& test, std::uint64_t first_inner) : errors_(errors), test_(test), first_inner_(first_inner) {}
+    void add(const Leaf& leaf)
     {
-        if (t.can_split() && test_(t)) {
-            split(t, path);
+        if (is_split(leaf)) {
+            split(leaf);
             return;
         }
-        push(t, path);
+        leaves.push_back(leaf);
         while (merge_last()) {
         }
     }
-    std::vector<BisectionTriangle> triangles;
-    std::vector<std::uint64_t> paths;
+    std::vector<Leaf> leaves;
     std::size_t changes = 0;
 
 private:
-    void split(const BisectionTriangle& t, std::uint64_t path)
+    bool is_split(const Leaf& leaf) const { return leaf.below.error > 0 && test_.splits(leaf.triangle, leaf.below); }
+    void split(const Leaf& leaf)
     {
         ++changes;
         for (const bool right : {false, true}) {
-            const BisectionTriangle part = right ? t.right() : t.left();
-            const std::uint64_t below = 2 * path + std::uint64_t(right);
-            if (part.can_split() && test_(part))
-                split(part, below);
+            const BisectionTriangle part = right ? leaf.triangle.right() : leaf.triangle.left();
+            const Leaf finer = {part, 2 * leaf.path + std::uint64_t(right), bounds_below(errors_, part), leaf.below};
+            if (is_split(finer))
+                split(finer);
             else
-                push(part, below);
+                leaves.push_back(finer);
         }
-    }
-    void push(const BisectionTriangle& t, std::uint64_t path)
-    {
-        triangles.push_back(t);
-        paths.push_back(path);
     }
     bool merge_last()
     {
-        const std::size_t n = paths.size();
-        if (n < 2 || paths[n - 1] < first_inner_ || (paths[n - 1] & 1) == 0 || paths[n - 2] != paths[n - 1] - 1)
+        if (leaves.size() < 2)
             return false;
-        const BisectionTriangle &left = triangles[n - 2], &right = triangles[n - 1];
-        const BisectionTriangle whole = {left.a, left.b, right.a};
-        if (test_(whole))
+        const Leaf &left = leaves[leaves.size() - 2], &right = leaves.back();
+        if (right.path < first_inner_ || (right.path & 1) == 0 || left.path != right.path - 1)
             return false;
-        const std::uint64_t path = paths[n - 1] / 2;
-        triangles.resize(n - 2);
-        paths.resize(n - 2);
-        push(whole, path);
+        const BisectionTriangle whole = {left.triangle.a, left.triangle.b, right.triangle.a};
+        if (test_.splits(whole, right.above))
+            return false;
+        const std::uint64_t path = right.path / 2;
+        const Leaf merged = {whole, path, right.above, path < first_inner_ ? PointBounds() : errors_.bounds(whole.apex)};
+        leaves.resize(leaves.size() - 2);
+        leaves.push_back(merged);
         ++changes;
         return true;
     }
+    const NestedErrors& errors_;
     const ViewTest& test_;
     std::uint64_t first_inner_;
 };
@@ -88,18 +91,19 @@ ViewTest::ViewTest(const HeightMap& map, const NestedErrors& errors, const Camer
         throw Error::Input("errors in a picture need the heights' ranges; nest errors with ranges");
     across_ = 0.5 * dvec2(camera.size) / scale_;
     const dvec3 size(map.columns * map.spacing.x, map.rows * map.spacing.y, 0);
+    for (std::size_t level = 0; level < reaches_.size(); ++level)
+        reaches_[level] = level < 60 ? double(reach_of_point(1 << (level / 2), level % 2 == 1)) : 0;
     slack_length_ = 1e-12 * (glm::length(size) + glm::length(camera.eye));
 }
 
-double ViewTest::pixels(const BisectionTriangle& t) const
+double ViewTest::pixels(const BisectionTriangle& t, const PointBounds& bounds) const
 {
-    const ivec2 p = t.middle(), along = glm::abs(t.b - t.a);
-    const std::size_t i = errors_.lattice.index(p);
-    const double error = double(errors_.errors[i]), low = double(errors_.low[i]), high = double(errors_.high[i]);
+    const double error = double(bounds.error), low = double(bounds.low), high = double(bounds.high);
     if (error == 0 || !(low <= high))
         return 0;
-    const bool diagonal = along.x == along.y;
-    const int half = std::max(along.x, along.y) / 2, reach = reach_of_point(half, diagonal), level = levels_above(half, diagonal);
+    const ivec2 p = t.middle(), along = glm::abs(t.b - t.a);
+    const int level = levels_above(std::max(along.x, along.y) / 2, along.x == along.y);
+    const double reach = reaches_[std::size_t(level)];
     const dvec3 middle = dvec3(p.x * map_.spacing.x, (map_.rows - 1 - p.y) * map_.spacing.y, 0.5 * (low + high)) - camera_.eye;
     const dvec3 reaches(reach * map_.spacing.x, reach * map_.spacing.y, 0.5 * (high - low));
     const formulas::BoundCamera camera = {right_, above_, forward_, scale_, tolerance_.nearest, camera_.orthographic ? 1.0 : 0.0};
@@ -113,24 +117,31 @@ std::vector<BisectionTriangle> triangles_in_view(const HeightMap& map, const Nes
     return find_leaves(errors.lattice, ViewTest(map, errors, camera, tolerance));
 }
 
-TerrainView::TerrainView(const HeightMap& map, const NestedErrors& errors) : map_(map), errors_(errors), triangles_(root_triangles(errors.lattice))
+TerrainView::TerrainView(const HeightMap& map, const NestedErrors& errors) : map_(map), errors_(errors)
 {
-    const std::uint64_t first = std::bit_ceil(triangles_.size());
-    for (std::size_t i = 0; i < triangles_.size(); ++i)
-        paths_.push_back(first + i);
+    const std::vector<BisectionTriangle> roots = root_triangles(errors.lattice);
+    const std::uint64_t first = std::bit_ceil(roots.size());
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        leaves_.push_back({roots[i], first + i, bounds_below(errors, roots[i]), {}});
 }
 
 std::size_t TerrainView::update(const Camera& camera, const ViewTolerance& tolerance)
 {
     const ViewTest test(map_, errors_, camera, tolerance);
-    LeafList leaves(test, 2 * std::bit_ceil(std::uint64_t(root_triangles(errors_.lattice).size())));
-    leaves.triangles.reserve(triangles_.size() + triangles_.size() / 8);
-    leaves.paths.reserve(triangles_.size() + triangles_.size() / 8);
-    for (std::size_t i = 0; i < triangles_.size(); ++i)
-        leaves.add(triangles_[i], paths_[i]);
-    triangles_ = std::move(leaves.triangles);
-    paths_ = std::move(leaves.paths);
-    return leaves.changes;
+    const std::size_t roots = 2 * std::size_t(errors_.lattice.roots.x) * std::size_t(errors_.lattice.roots.y);
+    LeafList next(errors_, test, 2 * std::bit_ceil(roots));
+    next.leaves.reserve(leaves_.size() + leaves_.size() / 8);
+    for (const Leaf& leaf : leaves_)
+        next.add(leaf);
+    leaves_ = std::move(next.leaves);
+    return next.changes;
+}
+
+std::vector<BisectionTriangle> TerrainView::triangles() const
+{
+    std::vector<BisectionTriangle> out(leaves_.size());
+    std::transform(leaves_.begin(), leaves_.end(), out.begin(), [](const Leaf& leaf) { return leaf.triangle; });
+    return out;
 }
 
 } // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,10 @@ public:
     /// Of a triangle that can be split.
     bool operator()(const BisectionTriangle& t) const { return pixels(t) > tolerance_.pixels; }
     /// The bound, in pixels, of a triangle that can be split; 0 where it cannot be seen, as good as infinite where there is no bound.
-    double pixels(const BisectionTriangle& t) const;
+    double pixels(const BisectionTriangle& t) const { return pixels(t, errors_.bounds(t.middle())); }
+    /// @param bounds  of its middle
+    double pixels(const BisectionTriangle& t, const PointBounds& bounds) const;
+    bool splits(const BisectionTriangle& t, const PointBounds& bounds) const { return pixels(t, bounds) > tolerance_.pixels; }
 
 private:
     const HeightMap& map_;
@@ -37,6 +41,7 @@ private:
     dvec3 right_, above_, forward_;
     dvec2 across_;
     double scale_, slack_length_;
+    std::array<double, 64> reaches_; ///< by levels above the finest points: how far boxes reach, in cells
 };
 
 /// The triangles of the coarsest mesh of the hierarchy that the view's bound allows.
@@ -51,13 +56,19 @@ public:
     /// @return how many triangles came or went
     std::size_t update(const Camera& camera, const ViewTolerance& tolerance = {});
     /// In the order of the hierarchy; some of them may be outside the map.
-    const std::vector<BisectionTriangle>& triangles() const { return triangles_; }
+    std::vector<BisectionTriangle> triangles() const;
+
+    /// A triangle that is not split, with what its tests read, so that they need not look it up.
+    struct Leaf {
+        BisectionTriangle triangle;
+        std::uint64_t path;         ///< its root's number, then a bit for each bisection
+        PointBounds below, above;   ///< of the point that would split it, and of the one that made it
+    };
 
 private:
     const HeightMap& map_;
     const NestedErrors& errors_;
-    std::vector<BisectionTriangle> triangles_;
-    std::vector<std::uint64_t> paths_; ///< of each: its root's number, then a bit for each bisection
+    std::vector<Leaf> leaves_;
 };
 
 } // namespace limn

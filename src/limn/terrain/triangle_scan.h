@@ -25,29 +25,6 @@ struct HeightPlane {
     double at(int column, int row) const { return height + per_row * (row - from.y) + per_column * (column - from.x); }
 };
 
-/// The columns of a row that a lattice triangle covers: [first, last].
-struct RowSpan {
-    int first, last;
-};
-
-/// Of a triangle whose edges are horizontal, vertical or diagonal. @param row  one that it reaches
-inline RowSpan row_span(const BisectionTriangle& t, int row)
-{
-    RowSpan span = {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
-    const auto add = [&](const ivec2& p, const ivec2& q) {
-        if (row < std::min(p.y, q.y) || row > std::max(p.y, q.y))
-            return;
-        const int slope = (q.x > p.x) - (q.x < p.x), x = p.y == q.y ? q.x : p.x + slope * std::abs(row - p.y);
-        span.first = std::min(span.first, x), span.last = std::max(span.last, x);
-        if (p.y == q.y)
-            span.first = std::min(span.first, p.x), span.last = std::max(span.last, p.x);
-    };
-    add(t.apex, t.a);
-    add(t.b, t.apex);
-    add(t.a, t.b);
-    return span;
-}
-
 /// Calls `f(row, first, last)` for the samples in any triangle between samples, its border too.
 template <class F> void each_row(const ivec2& p, const ivec2& q, const ivec2& r, F&& f)
 {
