@@ -21,9 +21,9 @@ enum class HeightEncoding {
 /// What a raster's file does not say, or says wrong.
 struct ReadHeightMapOptions {
     HeightEncoding encoding = HeightEncoding::height;
-    int band = 0;      ///< which band holds the heights, from 1 on; 0: the only one, or the first where the others are no colours
-    std::string crs;   ///< coordinate system that replaces the file's own ("EPSG:32611", a PROJ string, WKT); "" keeps that
-    bool fill = false; ///< close holes (fill_no_data.h); where a whole map is read only
+    int band = 0;         ///< which band holds the heights, from 1 on; 0: the only one, or the first where the others are no colours
+    std::string crs = {}; ///< coordinate system that replaces the file's own ("EPSG:32611", a PROJ string, WKT); "" keeps that
+    bool fill = false;    ///< close holes (fill_no_data.h); where a whole map is read only
 };
 
 /// The options as data.
