@@ -11,8 +11,11 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t grain_rows = 16, grain_holes = 1 << 12;
-/// Sweeps over the holes of each grid: they smooth what is as wide as a few of its cells, and coarser grids have smoothed the rest.
-constexpr int sweeps = 40;
+/// Sweeps over the holes of each grid: they smooth what is as wide as some of its cells, and coarser grids have smoothed the rest. The first
+/// ones go further than Laplace's equation asks (successive over-relaxation; Young 1954), which brings wide holes nearer to it sooner; the
+/// last ones do not, and leave no height outside those around it.
+constexpr int far_sweeps = 100, sweeps = far_sweeps + 20;
+constexpr double over_relaxation = 1.85;
 
 /// Heights on one of ever coarser grids.
 struct Grid {
@@ -71,8 +74,9 @@ float interpolated(const Grid& coarse, int x, int y)
     return float((1 - v) * along(top) + v * along(bottom));
 }
 
-/// The height that makes Laplace's equation hold at a sample: the mean of its neighbours, weighted by the inverse squares of the spacing.
-float relaxed(const Grid& grid, std::size_t i, const dvec2& weight)
+/// The height that makes Laplace's equation hold at a sample: the mean of its neighbours, weighted by the inverse squares of the spacing;
+/// `strength` times as far from the present height as that.
+float relaxed(const Grid& grid, std::size_t i, const dvec2& weight, double strength)
 {
     const int x = int(i % std::size_t(grid.columns)), y = int(i / std::size_t(grid.columns));
     double sum = 0, weights = 0;
@@ -86,7 +90,8 @@ float relaxed(const Grid& grid, std::size_t i, const dvec2& weight)
     add(x + 1, y, weight.x);
     add(x, y - 1, weight.y);
     add(x, y + 1, weight.y);
-    return float(sum / weights);
+    const double now = double(grid.heights[i]);
+    return float(strength == 1 ? sum / weights : now + strength * (sum / weights - now));
 }
 
 /// Fills the holes from a coarser grid without any, and smooths. Samples of one colour have neighbours of the other only, so that the order
@@ -101,8 +106,9 @@ void fill_from(const Grid& coarse, Grid& fine, const dvec2& weight)
         });
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (const std::vector<std::size_t>& of_colour : holes)
-            parallel_each(of_colour.size(), grain_holes,
-                          [&](std::size_t k) { fine.heights[of_colour[k]] = relaxed(fine, of_colour[k], weight); });
+            parallel_each(of_colour.size(), grain_holes, [&](std::size_t k) {
+                fine.heights[of_colour[k]] = relaxed(fine, of_colour[k], weight, sweep < far_sweeps ? over_relaxation : 1);
+            });
 }
 
 std::size_t count_holes(const std::vector<float>& heights)

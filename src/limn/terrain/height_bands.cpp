@@ -203,12 +203,33 @@ void HeightBands::drop_no_data(const RasterWindow& window, std::vector<double>& 
 {
     if (no_data_)
         std::replace(numbers.begin(), numbers.end(), *no_data_, nan); // a NaN as no-data value is one already
+    drop_absent_blocks(window, numbers);
     if (!mask_)
         return;
     read_band(*mask_, window, scratch_);
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (scratch_[i] == 0)
             numbers[i] = nan;
+}
+
+void HeightBands::drop_absent_blocks(const RasterWindow& window, std::vector<double>& numbers)
+{
+    const auto state = [&](int column, int row, const ivec2& size) {
+        return bands_[0]->GetDataCoverageStatus(column, row, size.x, size.y, 0, nullptr);
+    };
+    if ((state(window.column, window.row, {window.columns, window.rows}) & GDAL_DATA_COVERAGE_STATUS_EMPTY) == 0)
+        return;
+    const ivec2 size = block();
+    for (int y = 0, rows = 0; y < window.rows; y += rows) {
+        rows = std::min(size.y - (window.row + y) % size.y, window.rows - y);
+        for (int x = 0, columns = 0; x < window.columns; x += columns) {
+            columns = std::min(size.x - (window.column + x) % size.x, window.columns - x);
+            if ((state(window.column + x, window.row + y, {columns, rows}) & GDAL_DATA_COVERAGE_STATUS_DATA) != 0)
+                continue;
+            for (int k = 0; k < rows; ++k)
+                std::fill_n(numbers.begin() + std::ptrdiff_t(y + k) * window.columns + x, columns, nan);
+        }
+    }
 }
 
 std::size_t HeightBands::read(const RasterWindow& window, std::vector<double>& heights)

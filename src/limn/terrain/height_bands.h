@@ -42,6 +42,9 @@ private:
     void read_colours(const RasterWindow& window, std::vector<double>& heights);
     void drop_no_data(const RasterWindow& window, std::vector<double>& numbers);
 
+    /// Blocks that the file leaves out, or that its writer never came to, are no heights of 0.
+    void drop_absent_blocks(const RasterWindow& window, std::vector<double>& numbers);
+
     std::string file_;
     HeightEncoding encoding_;
     std::array<GDALRasterBand*, 3> bands_ = {}; ///< one of heights, or red, green and blue

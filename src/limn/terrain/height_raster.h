@@ -21,9 +21,9 @@ enum class HeightEncoding {
 /// What a raster's file does not say, or says wrong.
 struct ReadHeightMapOptions {
     HeightEncoding encoding = HeightEncoding::height;
-    int band = 0;      ///< which band holds the heights, from 1 on; 0: the only one, or the first where the others are no colours
-    std::string crs;   ///< coordinate system that replaces the file's own ("EPSG:32611", a PROJ string, WKT); "" keeps that
-    bool fill = false; ///< close holes (fill_no_data.h); where a whole map is read only
+    int band = 0;         ///< which band holds the heights, from 1 on; 0: the only one, or the first where the others are no colours
+    std::string crs = {}; ///< coordinate system that replaces the file's own ("EPSG:32611", a PROJ string, WKT); "" keeps that
+    bool fill = false;    ///< close holes (fill_no_data.h); where a whole map is read only
 };
 
 /// The options as data.
@@ -36,7 +36,8 @@ const OptionTable<ReadHeightMapOptions>& read_height_map_option_table();
 ///   coordinate system, of its vertical part and of the band become metres; a projection that stretches lengths by more than 1 % at the
 ///   raster's middle (Web Mercator) is undone there;
 /// - a band's scale and offset are applied;
-/// - no data (the band's no-data value, mask or alpha 0, NaN, infinite, or 1e30 and beyond) becomes NaN;
+/// - no data (the band's no-data value, mask or alpha 0, NaN, infinite, or 1e30 and beyond; blocks that the file leaves out) becomes
+///   NaN;
 /// - a sample stands at its pixel's centre, or where the format places it (AREA_OR_POINT, USGS DEM).
 ///
 /// GDAL's cache of blocks is bounded to 64 MiB for the whole process. One thread may use an object at a time.

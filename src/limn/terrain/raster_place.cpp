@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <fmt/format.h>
+#include <proj.h>
 
 #include "limn/base/error.h"
 
@@ -119,6 +120,18 @@ std::string note_no_system(const GeoTransform& transform, const ivec2& size)
            (could_be_degrees ? "; if they are degrees, say --crs EPSG:4326" : "");
 }
 
+/// The definition, as WKT, of the system that PROJ's database has under exactly this name; GDAL does not look for names. "" where there is none.
+std::string definition_of(const std::string& name)
+{
+    const std::unique_ptr<PJ_CONTEXT, decltype(&proj_context_destroy)> context(proj_context_create(), proj_context_destroy);
+    proj_log_level(context.get(), PJ_LOG_NONE);
+    const std::unique_ptr<PJ, decltype(&proj_destroy)> found(proj_create(context.get(), name.c_str()), proj_destroy);
+    if (!found || !proj_is_crs(found.get()) || proj_get_name(found.get()) != name) // PROJ takes parts of names, too
+        return "";
+    const char* const text = proj_as_wkt(context.get(), found.get(), PJ_WKT2_2019, nullptr);
+    return text ? text : "";
+}
+
 } // namespace
 
 GroundMeasure::GroundMeasure(const OGRSpatialReference& system)
@@ -210,7 +223,8 @@ bool find_system(const std::string& text, OGRSpatialReference& system)
 {
     const gdal::Reports quiet;
     const char* const only_text[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
-    return system.SetFromUserInput(text.c_str(), only_text) == OGRERR_NONE;
+    const std::string named = definition_of(text);
+    return system.SetFromUserInput((named.empty() ? text : named).c_str(), only_text) == OGRERR_NONE;
 }
 
 std::string system_name(const OGRSpatialReference& system)
