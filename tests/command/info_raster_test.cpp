@@ -10,7 +10,7 @@ class InfoOfRaster : public WithTorus {
 protected:
     InfoOfRaster()
     {
-        // Three seconds of arc, one sample without data, and heights in feet by --crs where that is asked for.
+        // Steps of three seconds of arc, one sample without data.
         write_text(
             folder_ / "a.asc",
             "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 46\ncellsize 0.0008333333333333334\nNODATA_value -9999\n1 2 3.5\n4 -9999 6\n");
@@ -25,7 +25,7 @@ TEST_F(InfoOfRaster, TellsSizePlaceAndHeights)
     for (const char* line :
          {"columns         3\n", "rows            2\n", "system          WGS 84\n", "heights         1 to 6 m, mean 3.3 m\n",
           "no data         1 sample\n", "origin          10.00041667, 46.00041667 (south-western sample)\n",
-          "notes           steps of 0.00083333333 x 0.00083333333 degree converted to 64.5506 x 92.6265 m, at latitude 46.0008 degrees\n"})
+          "notes           steps of 0.00083333333 x 0.00083333333 degree converted to 64.5518 x 92.6261 m, at latitude 46.0008 degrees\n"})
         EXPECT_NE(result.output.find(line), std::string::npos) << line << result.output;
 }
 
