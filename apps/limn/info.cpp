@@ -10,7 +10,9 @@
 #include "limn/base/parallel.h"
 #include "limn/geometry/diagnose.h"
 #include "limn/geometry/read_mesh.h"
+#include "raster_info.h"
 #include "subcommand.h"
+#include "table_options.h"
 
 using namespace limn;
 
@@ -20,6 +22,7 @@ constexpr const char* examples = R"(Examples:
   limn info bunny.ply
   limn info part.stl --json
   limn info part.stl -o part.txt -o part.json
+  limn info terrain.tif
   cat bunny.ply | limn info - --from ply)";
 
 const std::vector<std::string> formats = {"txt", "json"};
@@ -27,6 +30,7 @@ const std::vector<std::string> formats = {"txt", "json"};
 struct InfoCommand {
     CommonOptions common;
     std::string file, from;
+    ReadHeightMapOptions raster;
 };
 
 /// What is known of the file, and how long it took to know it.
@@ -62,32 +66,54 @@ Findings look_into(const InfoCommand& command, Console& console)
 }
 
 /// To the files asked for; to standard output where none is, or JSON is.
-void tell(const InfoCommand& command, const std::vector<Output>& outputs, const Findings& found)
+void tell(const InfoCommand& command, const std::vector<Output>& outputs, const std::string& text, const std::string& json)
 {
     for (const Output& output : outputs)
-        write_file(output.path, output.format == "json" ? info_json(command, found) : diagnosis_text(found.diagnosis));
-    if (command.common.json)
-        write_file("-", info_json(command, found));
-    else if (outputs.empty())
-        write_file("-", diagnosis_text(found.diagnosis));
+        write_file(output.path, output.format == "json" ? json : text);
+    if (command.common.json || outputs.empty())
+        write_file("-", command.common.json ? json : text);
+}
+
+std::string end_of_line(const InfoCommand& command, const std::vector<Output>& outputs)
+{
+    return outputs.empty() ? "" : ", " + what_was_written(command.common.outputs);
+}
+
+void tell_of_mesh(const InfoCommand& command, const std::vector<Output>& outputs, Console& console)
+{
+    const Stopwatch watch;
+    const Findings found = look_into(command, console);
+    if (command.common.strict && !found.unclean.empty())
+        throw Error::Read(fmt::format("{}: {} (--strict)", command.file, join(found.unclean, ", ")));
+    tell(command, outputs, diagnosis_text(found.diagnosis), info_json(command, found));
+    if (!found.unclean.empty())
+        console.warn(fmt::format("{}: {}", command.file, join(found.unclean, ", ")));
+    console.finish(fmt::format("read {}{}: {}, {}", command.file, end_of_line(command, outputs),
+                               counted(found.diagnosis.triangles, "triangle"), seconds_text(watch.total())));
+}
+
+void tell_of_raster(const InfoCommand& command, const std::vector<Output>& outputs, Console& console)
+{
+    const Stopwatch watch;
+    console.progress("reading", 0);
+    const RasterFacts facts = raster_facts(command.file, command.raster, [&](double part) { console.progress("reading", part); });
+    tell(command, outputs, raster_text(facts), raster_json(facts, command.file, watch.total()));
+    console.finish(fmt::format("read {}{}: {} x {} samples, {}", command.file, end_of_line(command, outputs),
+                               with_thousands(std::size_t(facts.frame.columns)), with_thousands(std::size_t(facts.frame.rows)),
+                               seconds_text(watch.total())));
 }
 
 void run(const InfoCommand& command)
 {
     if (command.file.empty())
         throw Error::Input("no file given; see 'limn info --help'");
-    const Stopwatch watch;
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     check_cpu_only(command.common, "info");
     Console console(command.common.quiet);
-    const Findings found = look_into(command, console);
-    if (command.common.strict && !found.unclean.empty())
-        throw Error::Read(fmt::format("{}: {} (--strict)", command.file, join(found.unclean, ", ")));
-    tell(command, outputs, found);
-    if (!found.unclean.empty())
-        console.warn(fmt::format("{}: {}", command.file, join(found.unclean, ", ")));
-    const std::string written = outputs.empty() ? "" : ", " + what_was_written(command.common.outputs);
-    console.finish(fmt::format("read {}{}: {}, {}", command.file, written, counted(found.diagnosis.triangles, "triangle"), seconds_text(watch.total())));
+    if (is_raster(command.file, command.from))
+        tell_of_raster(command, outputs, console);
+    else
+        tell_of_mesh(command, outputs, console);
 }
 
 } // namespace
@@ -95,10 +121,14 @@ void run(const InfoCommand& command)
 Subcommand add_info(CLI::App& limn)
 {
     auto command = std::make_shared<InfoCommand>();
-    CLI::App* app = limn.add_subcommand("info", "Say what a mesh file holds, and what is wrong with it");
+    CLI::App* app = limn.add_subcommand("info", "Say what a file holds: a mesh, and what is wrong with it, or a raster of heights");
     app->footer(examples);
-    app->add_option("FILE", command->file, "mesh in any format; '-' is standard input");
+    app->add_option("FILE", command->file, "mesh or raster of heights in any format; '-' is standard input");
     app->add_option("--from", command->from, "format of the file, whatever its name ends in")->type_name("FORMAT");
-    add_common_options(*app, command->common, "file to write the facts to, instead of standard output: txt, json; may be given several times");
+    for (const OptionRow<ReadHeightMapOptions>& row : read_height_map_option_table())
+        if (row.name != "fill")
+            add_table_row(*app, row, command->raster, "Raster of heights");
+    add_common_options(*app, command->common,
+                       "file to write the facts to, instead of standard output: txt, json; may be given several times");
     return {app, [command] { with_threads(command->common.threads, [&] { run(*command); }); }};
 }

@@ -13,6 +13,7 @@
 #include "limn/geometry/write_mesh.h"
 #include "limn/subdivision/control_samples.h"
 #include "limn/surface/shapes.h"
+#include "limn/terrain/terrain_samples.h"
 #include "subcommand.h"
 #include "table_options.h"
 
@@ -22,18 +23,21 @@ using namespace limn;
 
 namespace {
 
-const std::vector<std::string> formats = {"ply", "obj", "stl", "glb"};
+const std::vector<std::string> formats = {"ply", "obj", "stl", "glb"}, terrain_formats = {"tif", "tiff"};
+constexpr const char* terrain_name = "terrain";
 
 constexpr const char* examples = R"(Examples:
   limn sample torus -o torus.ply
   limn sample bumpy-torus --triangles 1000000 --double -o bumpy.ply
   limn sample creature -o creature.obj
   limn sample blob --jitter 0.2 --noise 0.001 --seed 7 -o scan.stl
+  limn sample terrain --size 1025x513 --seed 3 -o terrain.tif
   limn sample knot -o - --to ply | limn draw - -o knot.svg)";
 
 struct SampleCommand {
     CommonOptions common;
     ShapeOptions shape;
+    TerrainSampleOptions terrain;
 };
 
 bool is_control_mesh(const std::string& name)
@@ -46,6 +50,7 @@ std::vector<std::string> every_name()
 {
     std::vector<std::string> names = shape_names();
     names.insert(names.end(), control_sample_names().begin(), control_sample_names().end());
+    names.push_back(terrain_name);
     return names;
 }
 
@@ -61,14 +66,22 @@ void check_name(const std::string& name)
                                    guess.empty() ? "known: " + join(known, ", ") : fmt::format("did you mean '{}'?", guess)));
 }
 
+/// @throws Error::Input where an option of the table was given, save for the one excepted.
+template <class Options>
+void refuse_options(const CLI::App& app, const OptionTable<Options>& table, const std::string& but, const std::string& why)
+{
+    for (const OptionRow<Options>& row : table)
+        if (row.name != but && app.count("--" + row.name) > 0)
+            throw Error::Input(fmt::format("--{}: {}", row.name, why));
+}
+
 /// Control meshes are as they are; only the rounding of their positions can be chosen.
 Shape make_control_shape(const CLI::App& app, const std::string& name)
 {
     Shape shape;
     shape.mesh = make_control_sample(name);
-    for (const OptionRow<ShapeOptions>& row : shape_option_table())
-        if (row.name != "double" && app.count("--" + row.name) > 0)
-            throw Error::Input(fmt::format("--{}: '{}' is a control mesh of {} triangles, and stays as it is", row.name, name, shape.mesh.triangles.size()));
+    refuse_options(app, shape_option_table(), "double",
+                   fmt::format("'{}' is a control mesh of {} triangles, and stays as it is", name, shape.mesh.triangles.size()));
     shape.closed = diagnose(shape.mesh).closed;
     return shape;
 }
@@ -94,14 +107,47 @@ std::string sample_report(const SampleCommand& command, const Shape& shape, doub
     return json.dump(2) + "\n";
 }
 
-void run(const CLI::App& app, SampleCommand& command)
+/// The outputs, of which there must be one where no report is asked for.
+std::vector<Output> some_outputs(const CommonOptions& common, const std::vector<std::string>& known)
+{
+    std::vector<Output> outputs = checked_outputs(common, known);
+    if (outputs.empty() && !common.json)
+        throw Error::Input(fmt::format("nothing to do: give -o FILE ({}) or --json", join(known, ", ")));
+    check_cpu_only(common, "sample");
+    return outputs;
+}
+
+std::string terrain_report(const SampleCommand& command, double seconds)
+{
+    const TerrainSampleOptions& terrain = command.terrain;
+    const nlohmann::ordered_json json = {
+        {"limn", LIMN_VERSION}, {"command", "sample"},  {"terrain", terrain.landform},       {"columns", terrain.columns},
+        {"rows", terrain.rows}, {"seed", terrain.seed}, {"outputs", command.common.outputs}, {"seconds", {{"total", seconds}}}};
+    return json.dump(2) + "\n";
+}
+
+void run_terrain(const CLI::App& app, SampleCommand& command)
 {
     const Stopwatch watch;
-    check_name(command.shape.name);
-    const std::vector<Output> outputs = checked_outputs(command.common, formats);
-    if (outputs.empty() && !command.common.json)
-        throw Error::Input("nothing to do: give -o FILE (ply, obj, stl, glb) or --json");
-    check_cpu_only(command.common, "sample");
+    const std::vector<Output> outputs = some_outputs(command.common, terrain_formats);
+    refuse_options(app, shape_option_table(), "seed", "a terrain has no triangles to change");
+    command.terrain.seed = command.shape.seed;
+    Console console(command.common.quiet);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        write_terrain_sample(command.terrain, outputs[i].path,
+                             [&](double part) { console.progress("making the terrain", (double(i) + part) / double(outputs.size())); });
+    if (command.common.json)
+        write_file("-", terrain_report(command, watch.total()));
+    console.finish(fmt::format("{}: {} x {} samples, {}", what_was_written(command.common.outputs),
+                               with_thousands(std::size_t(command.terrain.columns)), with_thousands(std::size_t(command.terrain.rows)),
+                               seconds_text(watch.total())));
+}
+
+void run_shape(const CLI::App& app, SampleCommand& command)
+{
+    const Stopwatch watch;
+    const std::vector<Output> outputs = some_outputs(command.common, formats);
+    refuse_options(app, terrain_sample_option_table(), "", fmt::format("'{}' is no terrain", command.shape.name));
     Console console(command.common.quiet);
     console.progress("making the shape", 0);
     const Shape shape = is_control_mesh(command.shape.name) ? make_control_shape(app, command.shape.name) : make_shape(command.shape);
@@ -122,16 +168,27 @@ void run(const CLI::App& app, SampleCommand& command)
                                seconds_text(watch.total())));
 }
 
+void run(const CLI::App& app, SampleCommand& command)
+{
+    check_name(command.shape.name);
+    if (command.shape.name == terrain_name)
+        run_terrain(app, command);
+    else
+        run_shape(app, command);
+}
+
 } // namespace
 
 Subcommand add_sample(CLI::App& limn)
 {
     auto command = std::make_shared<SampleCommand>();
     command->shape.name.clear();
-    CLI::App* app = limn.add_subcommand("sample", "Write a generated model");
+    CLI::App* app = limn.add_subcommand("sample", "Write a generated model or terrain");
     app->footer(examples);
     app->add_option("NAME", command->shape.name, join(every_name(), ", "));
     add_table_options(*app, shape_option_table(), command->shape, "Shape");
-    add_common_options(*app, command->common, "file to write; may be given several times: ply, obj, stl, glb; '-' is standard output");
+    add_table_options(*app, terrain_sample_option_table(), command->terrain, "Terrain");
+    add_common_options(*app, command->common,
+                       "file to write; may be given several times: ply, obj, stl, glb, of terrain tif; '-' is standard output");
     return {app, [app, command] { with_threads(command->common.threads, [&] { run(*app, *command); }); }};
 }

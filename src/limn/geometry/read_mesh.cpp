@@ -33,16 +33,11 @@ std::string format_of_bytes(std::string_view bytes)
     return "";
 }
 
-bool is_readable(const std::string& format)
-{
-    return format == "obj" || format == "ply" || format == "stl" || format == "off" || is_known_to_assimp(format);
-}
-
 /// The format asked for, or the ending's where it is one of a mesh, or the one the bytes give away.
 std::string format_of(const std::filesystem::path& path, const std::string& asked, std::string_view bytes, const std::string& name)
 {
     const std::string ending = file_ending(asked.empty() ? path : std::filesystem::path("x." + asked));
-    if (!ending.empty() && is_readable(ending))
+    if (!ending.empty() && is_mesh_format(ending))
         return ending;
     const std::string found = asked.empty() ? format_of_bytes(bytes) : "";
     if (found.empty())
@@ -83,6 +78,11 @@ void orient(Mesh& mesh, std::vector<std::string>& notes)
 }
 
 } // namespace
+
+bool is_mesh_format(const std::string& format)
+{
+    return format == "obj" || format == "ply" || format == "stl" || format == "off" || is_known_to_assimp(format);
+}
 
 ReadResult read_mesh_with_notes(const std::filesystem::path& path, const ReadOptions& options)
 {

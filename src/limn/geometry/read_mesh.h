@@ -24,6 +24,9 @@ struct ReadResult {
     std::vector<std::string> notes; ///< unclean but readable: one line each, with counts
 };
 
+/// True for an ending ("ply") whose files are read as meshes.
+bool is_mesh_format(const std::string& format);
+
 /// Reads OBJ, PLY and STL with Limn's own readers and every other format through Assimp. Polygons are cut into triangles.
 /// "-" reads standard input (format required, or recognised by its first bytes).
 /// @throws Error::Read when the file cannot be read, naming line or byte, what was found and what was expected, or when no face is left.

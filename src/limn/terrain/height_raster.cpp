@@ -146,4 +146,18 @@ bool is_raster_file(const std::filesystem::path& file)
     return GDALIdentifyDriverEx(file.string().c_str(), GDAL_OF_RASTER, nullptr, nullptr) != nullptr;
 }
 
+bool is_raster_format(const std::string& format)
+{
+    gdal::prepare();
+    GDALDriverManager& drivers = *GetGDALDriverManager();
+    for (int i = 0; i < drivers.GetDriverCount(); ++i) {
+        GDALDriver& driver = *drivers.GetDriver(i);
+        const char* const endings = driver.GetMetadataItem(GDAL_DMD_EXTENSIONS);
+        if (driver.GetMetadataItem(GDAL_DCAP_RASTER) && endings &&
+            fmt::format(" {} ", endings).find(" " + format + " ") != std::string::npos)
+            return true;
+    }
+    return false;
+}
+
 } // namespace limn

@@ -71,4 +71,7 @@ private:
 /// True where GDAL knows the file as a raster; its content is not looked into.
 bool is_raster_file(const std::filesystem::path& file);
 
+/// True for an ending ("tif") that a raster format of GDAL's has.
+bool is_raster_format(const std::string& format);
+
 } // namespace limn
