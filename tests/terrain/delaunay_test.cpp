@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "limn/base/error.h"
-#include "limn/terrain/delaunay_hole.h"
 #include "limn/terrain/delaunay_mesh.h"
 #include "limn/terrain/delaunay_refine.h"
 #include "limn/terrain/delaunay_simplify.h"
+#include "limn/terrain/delaunay_star.h"
 #include "limn/terrain/measure_terrain.h"
 #include "limn/terrain/terrain_mesh.h"
 #include "terrain/terrain_support.h"
@@ -19,7 +19,8 @@ namespace {
 constexpr float no_data = std::numeric_limits<float>::quiet_NaN();
 constexpr double any_edge = std::numeric_limits<double>::infinity();
 
-const std::initializer_list<ivec2> sizes = {ivec2(2, 2), ivec2(3, 2), ivec2(2, 9), ivec2(3, 3), ivec2(5, 5), ivec2(33, 33), ivec2(34, 33), ivec2(100, 37), ivec2(131, 200)};
+const std::initializer_list<ivec2> sizes = {ivec2(2, 2),   ivec2(3, 2),   ivec2(2, 9),    ivec2(3, 3),    ivec2(5, 5),
+                                            ivec2(33, 33), ivec2(34, 33), ivec2(100, 37), ivec2(131, 200)};
 
 HeightMap map_with_holes()
 {
@@ -38,7 +39,10 @@ HeightMap map_with_holes()
 }
 
 /// Twice the area of each triangle, in squares of samples.
-std::int64_t area2_of(const std::vector<ivec2>& samples, const uvec3& t) { return DelaunayTriangulation::area2(samples[t.x], samples[t.y], samples[t.z]); }
+std::int64_t area2_of(const std::vector<ivec2>& samples, const uvec3& t)
+{
+    return DelaunayTriangulation::area2(samples[t.x], samples[t.y], samples[t.z]);
+}
 
 void expect_watertight(const HeightMap& map, const Mesh& mesh, const std::vector<ivec2>& samples)
 {
@@ -48,9 +52,12 @@ void expect_watertight(const HeightMap& map, const Mesh& mesh, const std::vector
         area += area2_of(samples, t);
     }
     EXPECT_EQ(area, 2 * std::int64_t(map.columns - 1) * (map.rows - 1));
-    for (const auto& [edge, count] : edge_uses(mesh.triangles, [&](const uvec3& t) { return std::array<ivec2, 3>{samples[t.x], samples[t.y], samples[t.z]}; })) {
+    for (const auto& [edge, count] : edge_uses(mesh.triangles, [&](const uvec3& t) {
+             return std::array<ivec2, 3>{samples[t.x], samples[t.y], samples[t.z]};
+         })) {
         const auto& [p, q] = edge;
-        const bool border = (p.first == q.first && (p.first == 0 || p.first == map.columns - 1)) || (p.second == q.second && (p.second == 0 || p.second == map.rows - 1));
+        const bool border = (p.first == q.first && (p.first == 0 || p.first == map.columns - 1)) ||
+                            (p.second == q.second && (p.second == 0 || p.second == map.rows - 1));
         EXPECT_EQ(count, border ? 1 : 2) << p.first << "," << p.second << " to " << q.first << "," << q.second;
     }
 }
@@ -73,7 +80,8 @@ std::size_t count_faults(const DelaunayTriangulation& mesh)
         faults += DelaunayTriangulation::area2(mesh.at(t * 3), mesh.at(t * 3 + 1), mesh.at(t * 3 + 2)) <= 0;
         for (std::uint32_t e = t * 3; e < t * 3 + 3; ++e)
             if (const std::uint32_t twin = mesh.twin(e); twin != none)
-                faults += mesh.twin(twin) != e || mesh.corner(twin) != mesh.corner(DelaunayTriangulation::next(e)) || !mesh.has_triangle(twin / 3);
+                faults += mesh.twin(twin) != e || mesh.corner(twin) != mesh.corner(DelaunayTriangulation::next(e)) ||
+                          !mesh.has_triangle(twin / 3);
     }
     return faults;
 }
@@ -168,7 +176,8 @@ TEST(DelaunayMesh, HasFewerTrianglesThanBisection)
     const HeightMap map = reference_terrain();
     const NestedErrors errors = nest_errors(map);
     for (const double tolerance : {2.0, 8.0, 16.0, 32.0, 64.0}) {
-        const std::size_t bisection = triangles_within(errors, tolerance).size(), inserted = delaunay_mesh_within(map, tolerance, {.simplify = false}).triangles.size(),
+        const std::size_t bisection = triangles_within(errors, tolerance).size(),
+                          inserted = delaunay_mesh_within(map, tolerance, {.simplify = false}).triangles.size(),
                           simplified = delaunay_mesh_within(map, tolerance).triangles.size();
         EXPECT_LE(double(simplified), 0.75 * double(bisection)) << tolerance;
         EXPECT_LE(double(simplified), 0.85 * double(inserted)) << tolerance;
@@ -239,7 +248,8 @@ TEST(DelaunayMesh, CoversWhatHasData)
     std::int64_t area = 0;
     for (int row = 0; row + 1 < map.rows; ++row)
         for (int column = 0; column + 1 < map.columns; ++column) {
-            const int with = map.has_data(column, row) + map.has_data(column + 1, row) + map.has_data(column, row + 1) + map.has_data(column + 1, row + 1);
+            const int with = map.has_data(column, row) + map.has_data(column + 1, row) + map.has_data(column, row + 1) +
+                             map.has_data(column + 1, row + 1);
             area += std::max(0, with - 2);
         }
     for (const double tolerance : {0.0, 1.0, 4.0, 1000.0})
@@ -253,7 +263,9 @@ TEST(DelaunayMesh, CoversWhatHasData)
             const MeasuredTerrain measured = measure_terrain(map, mesh, tolerance);
             EXPECT_EQ(measured.over, 0u);
             EXPECT_EQ(measured.bare, 1u) << "the island";
-            for (const auto& [edge, count] : edge_uses(mesh.triangles, [&](const uvec3& t) { return std::array<ivec2, 3>{samples[t.x], samples[t.y], samples[t.z]}; })) {
+            for (const auto& [edge, count] : edge_uses(mesh.triangles, [&](const uvec3& t) {
+                     return std::array<ivec2, 3>{samples[t.x], samples[t.y], samples[t.z]};
+                 })) {
                 EXPECT_LE(count, 2);
             }
             for (const dvec3& p : mesh.positions) {
@@ -263,16 +275,28 @@ TEST(DelaunayMesh, CoversWhatHasData)
     EXPECT_LT(delaunay_mesh_within(map, 4).triangles.size(), delaunay_mesh_within(map, 0).triangles.size() / 4);
 }
 
+/// A rectangle with a rectangle cut out, whose corners, squares with three samples, are cut off: 4 and 8 corners, and as many triangles.
+TEST(DelaunayMesh, HasFewVerticesAlongStraightHoles)
+{
+    const HeightMap map = map_of(60, 40, [](int x, int y) { return x >= 20 && x < 35 && y >= 11 && y < 30 ? no_data : 7.f; });
+    const Mesh mesh = delaunay_mesh_within(map, 0);
+    EXPECT_EQ(mesh.triangles.size(), 12u);
+    EXPECT_EQ(mesh.positions.size(), 12u);
+    EXPECT_EQ(measure_terrain(map, mesh, 0).bare, 0u);
+}
+
 TEST(DelaunayMesh, CoversSinglePatchesOfDataAndNothing)
 {
-    const auto patch = [](int width) { return map_of(20, 20, [&](int x, int y) { return x >= 5 && x < 5 + width && y >= 7 && y < 7 + width ? 1.f : no_data; }); };
+    const auto patch = [](int width) {
+        return map_of(20, 20, [&](int x, int y) { return x >= 5 && x < 5 + width && y >= 7 && y < 7 + width ? 1.f : no_data; });
+    };
     EXPECT_EQ(delaunay_mesh_within(patch(0), 1).triangles.size(), 0u);
     EXPECT_EQ(delaunay_mesh_within(patch(1), 1).triangles.size(), 0u);
     EXPECT_EQ(delaunay_mesh_within(patch(2), 1).triangles.size(), 2u);
     const HeightMap checkers = map_of(31, 30, [](int x, int y) { return (x + y) % 2 == 0 ? 1.f : no_data; });
     EXPECT_EQ(delaunay_mesh_within(checkers, 1).triangles.size(), 0u);
     const HeightMap specks = map_of(31, 30, [](int x, int y) { return x % 2 == 1 && y % 2 == 1 ? no_data : 1.f; });
-    EXPECT_EQ(delaunay_mesh_within(specks, 1).triangles.size(), 30u * 29u); // one for each square
+    EXPECT_EQ(delaunay_mesh_within(specks, 1, {.simplify = false}).triangles.size(), 30u * 29u); // one for each square
 }
 
 /// No vertex is left that could go.
@@ -287,7 +311,7 @@ TEST(SimplifyWithin, EndsWhereNothingCanGo)
     simplify_within(map, mesh, bound);
     EXPECT_EQ(count_faults(mesh), 0u);
     EXPECT_LT(count_triangles(mesh), before);
-    HoleFilling filling(map, mesh, bound);
+    StarFilling filling(map, mesh, bound);
     DelaunayTriangulation::Star star;
     for (std::uint32_t v = 4; v < mesh.vertex_count(); ++v)
         if (mesh.has_vertex(v)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "limn/terrain/delaunay_triangulation.h"
@@ -13,10 +14,7 @@ struct DelaunayBound {
     double tolerance = 0; ///< metres along z of any sample
     double max_edge = 0;  ///< samples; infinite: any
 
-    bool has_short_edges(const ivec2& p, const ivec2& q, const ivec2& r) const
-    {
-        return !(longest2(p, q, r) > max_edge * max_edge);
-    }
+    bool has_short_edges(const ivec2& p, const ivec2& q, const ivec2& r) const { return !(longest2(p, q, r) > max_edge * max_edge); }
     /// Whether a triangle with data at its corners is counter-clockwise, its edges are short enough and all its samples near enough.
     bool holds(const HeightMap& map, const ivec2& p, const ivec2& q, const ivec2& r) const
     {
@@ -31,20 +29,9 @@ struct DelaunayBound {
 private:
     static double longest2(const ivec2& p, const ivec2& q, const ivec2& r)
     {
-        const auto length2 = [](const ivec2& a, const ivec2& b) { return dvec2(b - a).x * dvec2(b - a).x + dvec2(b - a).y * dvec2(b - a).y; };
+        const auto length2 = [](const ivec2& a, const ivec2& b) { return glm::dot(dvec2(b - a), dvec2(b - a)); };
         return std::max({length2(p, q), length2(q, r), length2(r, p)});
     }
 };
-
-/// Whether a sample is one of the four corners of a square, between neighbouring samples, of which some have data and some have none, or has
-/// none itself: what stays as it is where vertices are removed.
-inline bool is_at_hole(const HeightMap& map, const ivec2& p)
-{
-    for (int row = p.y - 1; row <= p.y + 1; ++row)
-        for (int column = p.x - 1; column <= p.x + 1; ++column)
-            if (map.contains(column, row) && !map.has_data(column, row))
-                return true;
-    return false;
-}
 
 } // namespace limn

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/terrain/delaunay_no_data.h"
 #include "limn/terrain/delaunay_refine.h"
 #include "limn/terrain/delaunay_simplify.h"
 
@@ -23,7 +24,8 @@ void check_size(const HeightMap& map)
     if (map.heights.size() != samples)
         throw Error::Input(fmt::format("a height map of {} x {} samples with {} heights", map.columns, map.rows, map.heights.size()));
     if (samples > most_samples)
-        throw Error::Input(fmt::format("a height map of {} x {} samples: a Delaunay mesh can be made of {} in all", map.columns, map.rows, most_samples));
+        throw Error::Input(
+            fmt::format("a height map of {} x {} samples: a Delaunay mesh can be made of {} in all", map.columns, map.rows, most_samples));
 }
 
 void check(const HeightMap& map, double tolerance, const DelaunayMeshOptions& options)
@@ -42,7 +44,8 @@ double greatest_height(const HeightMap& map)
     for (std::size_t i = 0; i < map.heights.size(); ++i) {
         const float height = std::abs(map.heights[i]);
         if (std::isinf(height))
-            throw Error::Input(fmt::format("an infinite height at column {}, row {}", i % std::size_t(map.columns), i / std::size_t(map.columns)));
+            throw Error::Input(
+                fmt::format("an infinite height at column {}, row {}", i % std::size_t(map.columns), i / std::size_t(map.columns)));
         greatest = std::max(greatest, std::isnan(height) ? 0.f : height);
     }
     return double(greatest);
@@ -55,7 +58,7 @@ double tolerance_with_rounding(double tolerance, double greatest)
     return std::max(0.0, tolerance - rounding);
 }
 
-/// Vertices that triangles with data use, in the order of samples.
+/// Numbers the vertices that triangles use in the order of samples.
 class MeshBuilder {
 public:
     MeshBuilder(const HeightMap& map, const DelaunayTriangulation& triangulation) : map_(map), triangulation_(triangulation) {}
@@ -63,7 +66,7 @@ public:
     {
         std::vector<std::uint32_t> kept;
         for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
-            if (triangulation_.has_triangle(t) && has_data(t))
+            if (triangulation_.has_triangle(t))
                 kept.push_back(t);
         Mesh mesh;
         number_vertices(kept, mesh, samples);
@@ -74,13 +77,6 @@ public:
     }
 
 private:
-    bool has_data(std::uint32_t t) const
-    {
-        for (std::uint32_t e = t * 3; e < t * 3 + 3; ++e)
-            if (const ivec2& p = triangulation_.at(e); !map_.has_data(p.x, p.y))
-                return false;
-        return true;
-    }
     std::uint32_t number(std::uint32_t half_edge) const { return numbers_[triangulation_.corner(half_edge)]; }
     void number_vertices(const std::vector<std::uint32_t>& kept, Mesh& mesh, std::vector<ivec2>* samples)
     {
@@ -90,7 +86,9 @@ private:
             for (std::uint32_t e = t * 3; e < t * 3 + 3; ++e)
                 if (!std::exchange(is_used[triangulation_.corner(e)], std::uint8_t(1)))
                     used.push_back(triangulation_.corner(e));
-        const auto sample_of = [&](std::uint32_t vertex) { return map_.index(triangulation_.point(vertex).x, triangulation_.point(vertex).y); };
+        const auto sample_of = [&](std::uint32_t vertex) {
+            return map_.index(triangulation_.point(vertex).x, triangulation_.point(vertex).y);
+        };
         std::sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) { return sample_of(a) < sample_of(b); });
         numbers_.resize(triangulation_.vertex_count());
         mesh.positions.reserve(used.size());
@@ -119,6 +117,7 @@ Mesh delaunay_mesh_within(const HeightMap& map, double tolerance, const Delaunay
     DelaunayTriangulation triangulation(map.columns, map.rows);
     insert_hole_borders(map, triangulation);
     refine_within(map, triangulation, bound);
+    drop_triangles_without_data(map, triangulation);
     if (options.simplify) {
         simplify_within(map, triangulation, bound);
         flip_within(map, triangulation, bound);

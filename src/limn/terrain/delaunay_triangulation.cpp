@@ -239,4 +239,18 @@ void DelaunayTriangulation::remove(std::uint32_t vertex, const Star& star, std::
     }
 }
 
+void DelaunayTriangulation::drop(std::span<const std::uint32_t> triangles)
+{
+    for (const std::uint32_t t : triangles)
+        for (std::uint32_t e = t * 3; e < t * 3 + 3; ++e) {
+            if (twins_[e] != none)
+                twins_[twins_[e]] = none;
+            corners_[e] = twins_[e] = none;
+        }
+    std::fill(edges_.begin(), edges_.end(), none);
+    for (std::uint32_t e = 0; e < corners_.size(); ++e)
+        if (has_triangle(e / 3))
+            edges_[corners_[e]] = e;
+}
+
 } // namespace limn

@@ -10,17 +10,17 @@
 namespace limn {
 
 /// A triangulation of a rectangle whose vertices are lattice points (x: column, y: row), changed step by step: points are inserted as Delaunay's
-/// triangulation wants it, edges are flipped and vertices are removed. All tests are exact.
+/// triangulation wants it, edges are flipped, vertices are removed and triangles are dropped. All tests are exact.
 ///
 /// Triangle t has half-edges 3t, 3t + 1, 3t + 2; half-edge e starts at corners[e], and seen from above, with rows towards the reader, they run
-/// counter-clockwise. twins[e] is the half-edge of the neighbour, which runs the other way, or `none` at the border of the rectangle.
+/// counter-clockwise. twins[e] is the half-edge of the neighbour, which runs the other way, or `none` at the border.
 class DelaunayTriangulation {
 public:
     /// Two triangles over the points (0, 0) to (columns - 1, rows - 1). At least 2 of each.
     DelaunayTriangulation(int columns, int rows);
 
-    std::size_t vertex_count() const { return points_.size(); }            ///< removed ones too
-    std::size_t triangle_count() const { return corners_.size() / 3; }     ///< removed ones too
+    std::size_t vertex_count() const { return points_.size(); }        ///< removed ones too
+    std::size_t triangle_count() const { return corners_.size() / 3; } ///< removed ones too
     const ivec2& point(std::uint32_t vertex) const { return points_[vertex]; }
     bool has_vertex(std::uint32_t vertex) const { return edges_[vertex] != none; }
     bool has_triangle(std::uint32_t triangle) const { return corners_[std::size_t(triangle) * 3] != none; }
@@ -48,16 +48,21 @@ public:
 
     /// What is around a vertex.
     struct Star {
-        std::vector<std::uint32_t> ring;      ///< neighbours, counter-clockwise; at the border of the rectangle from border to border
-        std::vector<std::uint32_t> outside;   ///< of the edge from each to the next (the last: to the first), the half-edge on its other side, or `none`
+        std::vector<std::uint32_t> ring; ///< neighbours, counter-clockwise; at the border from border to border
+        std::vector<std::uint32_t>
+            outside; ///< of the edge from each to the next (the last: to the first), the half-edge on its other side, or `none`
         std::vector<std::uint32_t> triangles; ///< in the same order
-        bool is_closed = true;                ///< whether the vertex is inside the rectangle
+        bool is_closed =
+            true; ///< whether the vertex is inside; at the border, where it is the end of more than one chain of triangles, the star is of one
     };
     void find_star(std::uint32_t vertex, Star& star) const;
 
     /// Takes a vertex out and fills its star without it.
     /// @param filling  triangles of neighbours, by their places in the ring, counter-clockwise, that make up the star exactly
     void remove(std::uint32_t vertex, const Star& star, std::span<const std::array<std::uint8_t, 3>> filling);
+
+    /// Takes triangles away: their edges become the border. Neither insert() nor find_triangle() can be called afterwards.
+    void drop(std::span<const std::uint32_t> triangles);
 
     /// Twice the area of a triangle, positive where it is counter-clockwise as above.
     static std::int64_t area2(const ivec2& p, const ivec2& q, const ivec2& r)
@@ -79,11 +84,11 @@ private:
     std::vector<std::uint32_t> edges_;   ///< a half-edge that starts at each vertex; none: removed
     std::vector<std::uint32_t> corners_; ///< none: removed
     std::vector<std::uint32_t> twins_;
-    std::vector<std::uint32_t> unused_;  ///< removed triangles
-    std::vector<std::uint32_t> suspects_; ///< half-edges to look at; kept for its memory
-    Star hole_;                           ///< kept for its memory
+    std::vector<std::uint32_t> unused_;      ///< removed triangles
+    std::vector<std::uint32_t> suspects_;    ///< half-edges to look at; kept for its memory
+    Star hole_;                              ///< kept for its memory
     std::vector<std::uint32_t> inner_edges_; ///< kept for its memory
-    bool is_small_;                       ///< whether 64 bits hold the terms of is_in_circle()
+    bool is_small_;                          ///< whether 64 bits hold the terms of is_in_circle()
 };
 
 } // namespace limn

@@ -1,4 +1,4 @@
-#include "limn/terrain/delaunay_hole.h"
+#include "limn/terrain/delaunay_star.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr std::uint8_t unknown = 255, impossible = 254;
 
 } // namespace
 
-void HoleFilling::load(std::uint32_t vertex, const DelaunayTriangulation::Star& star)
+void StarFilling::load(std::uint32_t vertex, const DelaunayTriangulation::Star& star)
 {
     const auto height = [&](const ivec2& p) { return double(map_.height(p.x, p.y)); };
     const ivec2& at = mesh_.point(vertex);
@@ -28,17 +28,18 @@ void HoleFilling::load(std::uint32_t vertex, const DelaunayTriangulation::Star& 
 
 /// Whether a triangle has the vertex to remove in it, or on its border, and that one is near enough. One triangle of each filling has to, and
 /// this is quick to say: most vertices stay because none does.
-bool HoleFilling::keeps_vertex(std::size_t i, std::size_t m, std::size_t j) const
+bool StarFilling::keeps_vertex(std::size_t i, std::size_t m, std::size_t j) const
 {
     const std::int64_t of_j = areas_[i][m], of_i = areas_[m][j], of_m = areas_[j][i];
     if (of_i < 0 || of_m < 0 || of_j < 0)
         return false;
-    const double area = double(of_i + of_m + of_j), height = (double(of_i) * heights_[i] + double(of_m) * heights_[m] + double(of_j) * heights_[j]) / area;
+    const double area = double(of_i + of_m + of_j),
+                 height = (double(of_i) * heights_[i] + double(of_m) * heights_[m] + double(of_j) * heights_[j]) / area;
     return std::abs(height - vertex_height_) <= bound_.tolerance;
 }
 
 /// By whether the corner m, of all between i and j, has a circle through i, m, j free of the others.
-std::size_t HoleFilling::delaunay_middle(std::size_t i, std::size_t j) const
+std::size_t StarFilling::delaunay_middle(std::size_t i, std::size_t j) const
 {
     std::size_t best = size_;
     for (std::size_t m = after(i); m != j; m = after(m))
@@ -48,14 +49,14 @@ std::size_t HoleFilling::delaunay_middle(std::size_t i, std::size_t j) const
     return best;
 }
 
-bool HoleFilling::can_cut_at(std::size_t i, std::size_t m, std::size_t j)
+bool StarFilling::can_cut_at(std::size_t i, std::size_t m, std::size_t j)
 {
     return bound_.holds(map_, points_[i], points_[m], points_[j]) && can_cut(i, m) && can_cut(m, j);
 }
 
 /// Whether triangles fill the part of the ring between its edges from i to j and the line from j to i. Since all are counter-clockwise, as the
 /// part is, they cannot overlap.
-bool HoleFilling::can_cut(std::size_t i, std::size_t j)
+bool StarFilling::can_cut(std::size_t i, std::size_t j)
 {
     if (after(i) == j)
         return true;
@@ -73,7 +74,7 @@ bool HoleFilling::can_cut(std::size_t i, std::size_t j)
     return found != impossible;
 }
 
-void HoleFilling::collect(std::size_t i, std::size_t j)
+void StarFilling::collect(std::size_t i, std::size_t j)
 {
     if (after(i) == j)
         return;
@@ -83,7 +84,7 @@ void HoleFilling::collect(std::size_t i, std::size_t j)
     collect(m, j);
 }
 
-bool HoleFilling::find(std::uint32_t vertex, const DelaunayTriangulation::Star& star)
+bool StarFilling::find(std::uint32_t vertex, const DelaunayTriangulation::Star& star)
 {
     if (star.ring.size() > most_neighbours)
         return false;

@@ -11,15 +11,17 @@ namespace limn {
 
 /// Looks for triangles that fill the star of a vertex without it and hold a bound. All ways to cut the ring of neighbours are considered, those
 /// with circles free of neighbours first, so that a vertex stays only where none will do.
-class HoleFilling {
+class StarFilling {
 public:
     /// Stars with more neighbours are not looked at.
     static constexpr std::size_t most_neighbours = 24;
     using Triangle = std::array<std::uint8_t, 3>; ///< places in the ring, counter-clockwise
 
-    HoleFilling(const HeightMap& map, const DelaunayTriangulation& mesh, const DelaunayBound& bound) : map_(map), mesh_(mesh), bound_(bound) {}
+    StarFilling(const HeightMap& map, const DelaunayTriangulation& mesh, const DelaunayBound& bound) : map_(map), mesh_(mesh), bound_(bound)
+    {
+    }
 
-    /// @param vertex  not a corner of the rectangle, and no sample of its star is without data
+    /// @param vertex  inside the mesh, or on its border between two neighbours on a line with it
     /// @return whether there are such triangles
     bool find(std::uint32_t vertex, const DelaunayTriangulation::Star& star);
     /// As found last.
@@ -39,11 +41,11 @@ private:
     DelaunayBound bound_;
     std::vector<Triangle> triangles_;
 
-    std::size_t size_ = 0;                 ///< of the ring
-    double vertex_height_ = 0;             ///< of the vertex to remove
+    std::size_t size_ = 0;     ///< of the ring
+    double vertex_height_ = 0; ///< of the vertex to remove
     ivec2 points_[most_neighbours];
     double heights_[most_neighbours];
-    std::int64_t areas_[most_neighbours][most_neighbours]; ///< twice those of the triangles i, j, vertex
+    std::int64_t areas_[most_neighbours][most_neighbours];   ///< twice those of the triangles i, j, vertex
     std::uint8_t middles_[most_neighbours][most_neighbours]; ///< how to cut the part of the ring from i to j, once known
 };
 
