@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -241,10 +242,9 @@ TEST(DelaunayMesh, HasNoLongerEdgesThanAskedFor)
         }
 }
 
-/// Squares of four samples with data are covered and those with three in half, nothing else is; no sample under a triangle is off.
-TEST(DelaunayMesh, CoversWhatHasData)
+/// Twice the area of the squares between four samples with data, and of half of those with three.
+std::int64_t area2_with_data(const HeightMap& map)
 {
-    const HeightMap map = map_with_holes();
     std::int64_t area = 0;
     for (int row = 0; row + 1 < map.rows; ++row)
         for (int column = 0; column + 1 < map.columns; ++column) {
@@ -252,27 +252,53 @@ TEST(DelaunayMesh, CoversWhatHasData)
                              map.has_data(column + 1, row + 1);
             area += std::max(0, with - 2);
         }
+    return area;
+}
+
+/// Nothing else is covered, nothing twice, and no sample under a triangle is off.
+void expect_to_cover_what_has_data(const HeightMap& map, double tolerance, const DelaunayMeshOptions& options)
+{
+    std::vector<ivec2> samples;
+    const Mesh mesh = delaunay_mesh_within(map, tolerance, options, &samples);
+    std::int64_t area = 0;
+    for (const uvec3& t : mesh.triangles) {
+        EXPECT_GT(area2_of(samples, t), 0);
+        area += area2_of(samples, t);
+    }
+    EXPECT_EQ(area, area2_with_data(map));
+    for (const auto& [edge, count] : edge_uses(mesh.triangles, [&](const uvec3& t) {
+             return std::array<ivec2, 3>{samples[t.x], samples[t.y], samples[t.z]};
+         })) {
+        EXPECT_LE(count, 2);
+    }
+    for (const dvec3& p : mesh.positions) {
+        EXPECT_FALSE(std::isnan(p.z));
+    }
+    const double roundings = tolerance == 0 ? 1e-12 : 0;
+    EXPECT_EQ(measure_terrain(map, mesh, tolerance + roundings).over, 0u);
+    EXPECT_EQ(measure_terrain(map, mesh, tolerance).bare, measure_terrain(map, delaunay_mesh_within(map, 0, {.simplify = false}), 0).bare);
+}
+
+TEST(DelaunayMesh, CoversWhatHasData)
+{
+    const HeightMap map = map_with_holes();
     for (const double tolerance : {0.0, 1.0, 4.0, 1000.0})
-        for (const bool simplify : {false, true}) {
-            std::vector<ivec2> samples;
-            const Mesh mesh = delaunay_mesh_within(map, tolerance, {.simplify = simplify}, &samples);
-            std::int64_t found = 0;
-            for (const uvec3& t : mesh.triangles)
-                found += area2_of(samples, t);
-            EXPECT_EQ(found, area);
-            const MeasuredTerrain measured = measure_terrain(map, mesh, tolerance);
-            EXPECT_EQ(measured.over, 0u);
-            EXPECT_EQ(measured.bare, 1u) << "the island";
-            for (const auto& [edge, count] : edge_uses(mesh.triangles, [&](const uvec3& t) {
-                     return std::array<ivec2, 3>{samples[t.x], samples[t.y], samples[t.z]};
-                 })) {
-                EXPECT_LE(count, 2);
-            }
-            for (const dvec3& p : mesh.positions) {
-                EXPECT_FALSE(std::isnan(p.z));
-            }
-        }
+        for (const bool simplify : {false, true})
+            expect_to_cover_what_has_data(map, tolerance, {.simplify = simplify});
+    EXPECT_EQ(measure_terrain(map, delaunay_mesh_within(map, 4), 4).bare, 1u) << "the island";
     EXPECT_LT(delaunay_mesh_within(map, 4).triangles.size(), delaunay_mesh_within(map, 0).triangles.size() / 4);
+}
+
+TEST(DelaunayMesh, CoversWhatHasDataOfRandomMaps)
+{
+    std::mt19937 random(7);
+    for (int i = 0; i < 400; ++i) {
+        const int columns = 2 + int(random() % 14), rows = 2 + int(random() % 14);
+        const unsigned holes = random() % 60, heights = 1 + random() % 9; // percent, and how many
+        const HeightMap map = map_of(columns, rows, [&](int, int) { return random() % 100 < holes ? no_data : float(random() % heights); });
+        SCOPED_TRACE(i);
+        expect_to_cover_what_has_data(map, double(random() % 5), {.max_edge = i % 3 == 0 ? 3 : any_edge, .simplify = i % 5 != 0});
+    }
 }
 
 /// A rectangle with a rectangle cut out, whose corners, squares with three samples, are cut off: 4 and 8 corners, and as many triangles.
