@@ -9,6 +9,12 @@ namespace limn {
 
 /// Where the coefficient of v^j w^k (times u^(degree-j-k)) stands: rows of equal k.
 constexpr std::size_t bezier_index(int degree, int j, int k) { return std::size_t(k * (degree + 1) - k * (k - 1) / 2 + j); }
+/// The same for the coefficient `along` a side, from corner `side` on, and `inwards` rows from it.
+constexpr std::size_t bezier_side_index(int degree, int side, int along, int inwards)
+{
+    const int left = degree - along - inwards;
+    return side == 0 ? bezier_index(degree, along, inwards) : side == 1 ? bezier_index(degree, left, along) : bezier_index(degree, inwards, left);
+}
 constexpr std::size_t bezier_size(int degree) { return std::size_t((degree + 1) * (degree + 2) / 2); }
 
 /// A polynomial over a triangle in Bernstein form, after the weights v and w of its second and third corner (u = 1-v-w that of the first):

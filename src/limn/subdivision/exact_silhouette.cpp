@@ -21,7 +21,7 @@ bool is_plain(const CutFace& face) { return face.leaves.size() == 1 && face.leav
 
 bool has_edge_points(const LoopTopology& t, std::uint32_t face, const EdgePoints& edges)
 {
-    return !edges[t.edge[3 * face]].empty() || !edges[t.edge[3 * face + 1]].empty() || !edges[t.edge[3 * face + 2]].empty();
+    return edges.has_points(t.edge[3 * face]) || edges.has_points(t.edge[3 * face + 1]) || edges.has_points(t.edge[3 * face + 2]);
 }
 
 /// Whether a face drawn as one triangle shows the side that it should.
@@ -91,16 +91,21 @@ private:
     {
         const LoopTopology& t = view_.topology();
         std::vector<std::uint32_t> beside;
+        std::vector<EdgePlace> places;
         for (std::uint32_t f = 0; f < faces_.size(); ++f) {
             if (!of[f])
                 continue;
             for (const SidePoint& point : side_points(*faces_[f].cut)) {
                 const std::uint32_t h = 3 * f + std::uint32_t(point.side), e = t.edge[h];
-                const bool runs = t.half_edge[e] == h;
-                if (add_edge_point(view_, e, runs ? point.t : 1 - point.t, edges_[e]) && t.twin[h] != none)
+                const EdgePlace place = {e, t.half_edge[e] == h ? point.t : 1 - point.t};
+                if (has_point(edges_[e], place.t))
+                    continue;
+                places.push_back(place);
+                if (t.twin[h] != none)
                     beside.push_back(t.twin[h] / 3);
             }
         }
+        add_edge_points(view_, std::move(places), edges_);
         for (const std::uint32_t f : beside) {
             changed[f] = 1;
             if (!faces_[f].cut)
@@ -119,12 +124,9 @@ SilhouetteMesh Maker::finish() const
     const LoopTopology& t = view_.topology();
     SilhouetteMesh out;
     out.mesh.positions = view_.pose.corners.positions;
-    std::vector<std::uint32_t> first_of_edge(edges_.size());
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-        first_of_edge[e] = std::uint32_t(out.mesh.positions.size());
-        for (const CutPoint& p : edges_[e])
-            out.mesh.positions.push_back(p.position);
-    }
+    const std::size_t vertices = out.mesh.positions.size();
+    for (const CutPoint& p : edges_.all())
+        out.mesh.positions.push_back(p.position);
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
         const auto add_corner = [&](const dvec3& normal, const dvec2& at) {
             out.mesh.corner_normals.push_back(vec3(normal == dvec3(0) ? view_.pose.corners.normals[3 * f] : normal)); // 0: no tangent plane
@@ -145,7 +147,7 @@ SilhouetteMesh Maker::finish() const
         const auto vertex = [&](std::uint32_t p) {
             const FacePoint& point = made.points[p];
             return point.of == FacePoint::Of::corner ? t.triangles[f][int(point.side)]
-                   : point.of == FacePoint::Of::edge ? first_of_edge[t.edge[3 * f + point.side]] + point.index
+                   : point.of == FacePoint::Of::edge ? std::uint32_t(vertices + edges_.first(t.edge[3 * f + point.side])) + point.index
                                                      : first_own + point.index;
         };
         for (const uvec3& triangle : made.triangles) {
@@ -172,9 +174,9 @@ SilhouetteMesh Maker::finish() const
 ExactSilhouetteReport Maker::report() const
 {
     ExactSilhouetteReport report;
-    for (const std::vector<CutPoint>& points : edges_) {
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
         std::size_t crossings[2] = {0, 0};
-        for (const CutPoint& p : points)
+        for (const CutPoint& p : edges_[e])
             for (std::size_t side = 0; side < 2; ++side)
                 crossings[side] += p.crossing[side];
         report.crossed_edges += crossings[0] + crossings[1] > 0;

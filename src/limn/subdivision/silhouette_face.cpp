@@ -141,7 +141,7 @@ PointSet boundary_points(const SilhouetteView& view, const CutFace& face, const 
         set.add({FacePoint::Of::corner, k, 0, on_side(k, 0)});
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face.face + k;
-        const std::vector<CutPoint>& points = edges[t.edge[h]];
+        const std::span<const CutPoint> points = edges[t.edge[h]];
         for (std::uint32_t i = 0; i < points.size(); ++i)
             set.add({FacePoint::Of::edge, k, i, on_side(k, along_side(t, h, points[i].t))});
     }
