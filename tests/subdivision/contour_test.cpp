@@ -2,6 +2,7 @@
 
 #include "limn/subdivision/contour_cells.h"
 #include "limn/subdivision/contour_crossings.h"
+#include "limn/subdivision/contour_filter.h"
 #include "limn/subdivision/silhouette_view.h"
 #include "subdivision/exact_views.h"
 
@@ -55,6 +56,37 @@ TEST(ContourPolynomial, IsThatOfTheNormal)
                 break; // one for each face will do
             }
         }
+}
+
+/// The kernel's signs are those of the scalar code.
+TEST(ContourFilter, HasTheSignsOfThePolynomial)
+{
+    const ExactSubject subject(shaken(torus(12, 10), 0.4));
+    const ControlEdges& edges = subject.table().edges();
+    std::size_t changes = 0, negatives = 0, tested = 0;
+    for (const Eye& eye : eyes)
+        for (std::uint32_t first = 0; first + edge_lanes <= subject.topology().edge_count(); first += edge_lanes) {
+            EdgeLanes lanes;
+            std::array<std::array<dvec3, regular_edge_support>, edge_lanes> points;
+            for (std::uint32_t k = 0; k < edge_lanes; ++k) {
+                ASSERT_EQ(edges.kind(first + k), ControlEdges::Kind::regular);
+                for (std::size_t p = 0; p < regular_edge_support; ++p) {
+                    points[k][p] = subject.pose().shape.control_positions()[edges.regular(first + k)[p]];
+                    lanes.set(k, p, points[k][p]);
+                }
+            }
+            const SignLanes signs = contour_signs(lanes, eye);
+            for (std::uint32_t k = 0; k < edge_lanes; ++k) {
+                const std::array<double, 10> c = contour_along(dvec3(0), regular_side_net(points[k]), eye);
+                const bool change = std::any_of(c.begin(), c.end(), [&](double value) { return (value < 0) != (c[0] < 0); });
+                EXPECT_EQ(bool(signs.change >> k & 1), change);
+                EXPECT_EQ(bool(signs.negative >> k & 1), c[0] < 0);
+                changes += change, negatives += c[0] < 0, ++tested;
+            }
+        }
+    EXPECT_GT(changes, 50u);
+    EXPECT_GT(negatives, 50u);
+    EXPECT_GT(tested, changes + 100);
 }
 
 /// Checklist 39: as many crossings as dense sampling sees, at the same places; also two on an edge, and more.

@@ -1,10 +1,12 @@
 #include "limn/subdivision/silhouette_edges.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "limn/base/parallel.h"
 #include "limn/subdivision/contour_crossings.h"
+#include "limn/subdivision/contour_filter.h"
 
 namespace limn {
 namespace {
@@ -108,6 +110,52 @@ class EdgeCutter {
 public:
     EdgeCutter(const SilhouetteView& view, std::span<const VertexFacing> facing) : view_(view), facing_(facing), search_(view.pose.shape, view.eye) {}
 
+    /// @param edges  candidates, up to 64
+    void cut(std::span<const std::uint32_t> edges, std::vector<CutPoint>& out)
+    {
+        for (std::uint64_t left = changing(edges); left != 0; left &= left - 1)
+            cut(edges[std::size_t(std::countr_zero(left))], out);
+    }
+
+private:
+    std::array<bool, 2> faces_eye(std::uint32_t edge) const
+    {
+        const EdgeSpread& spread = view_.pose.spreads[edge];
+        return {facing_[spread.start].faces_eye(), facing_[spread.end].faces_eye()};
+    }
+    /// A bit for each of the edges but those that are regular and along which the coefficients of the contour's polynomial have one sign.
+    std::uint64_t changing(std::span<const std::uint32_t> edges) const
+    {
+        const ControlEdges& kinds = view_.pose.shape.table().edges();
+        std::uint64_t bits = 0;
+        EdgeLanes lanes;
+        std::array<std::size_t, edge_lanes> numbers;
+        std::size_t count = 0;
+        const auto test = [&] {
+            const SignLanes signs = contour_signs(lanes, view_.eye);
+            for (std::size_t k = 0; k < count; ++k) {
+                const bool front = !(signs.negative >> k & 1), change = signs.change >> k & 1;
+                if (change || faces_eye(edges[numbers[k]]) != std::array<bool, 2>{front, front})
+                    bits |= std::uint64_t(1) << numbers[k];
+            }
+            count = 0;
+        };
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (kinds.kind(edges[i]) != ControlEdges::Kind::regular) {
+                bits |= std::uint64_t(1) << i;
+                continue;
+            }
+            const RegularEdge& support = kinds.regular(edges[i]);
+            for (std::size_t p = 0; p < support.size(); ++p)
+                lanes.set(count, p, view_.pose.shape.control_positions()[support[p]]);
+            numbers[count++] = i;
+            if (count == edge_lanes)
+                test();
+        }
+        if (count > 0)
+            test();
+        return bits;
+    }
     void cut(std::uint32_t edge, std::vector<CutPoint>& out)
     {
         const ControlEdges::Kind kind = view_.pose.shape.table().edges().kind(edge);
@@ -115,14 +163,11 @@ public:
             cut_creased(edge, out);
             return;
         }
-        const EdgeSpread& spread = view_.pose.spreads[edge];
-        const std::array<bool, 2> faces_eye = {facing_[spread.start].faces_eye(), facing_[spread.end].faces_eye()};
-        const Crossings& found = kind == ControlEdges::Kind::regular ? search_.along_regular(edge, faces_eye) : search_.along(view_.topology().half_edge[edge], faces_eye);
+        const Crossings& found =
+            kind == ControlEdges::Kind::regular ? search_.along_regular(edge, faces_eye(edge)) : search_.along(view_.topology().half_edge[edge], faces_eye(edge));
         for (const EdgeCrossing& c : found)
             out.push_back({c.t, edge, {true, true}, c.sample.position, {c.sample.normal, c.sample.normal}});
     }
-
-private:
     /// The contour's crossings on one side, as parameters of the half-edge.
     Crossings crossings_of(std::uint32_t h)
     {
@@ -165,9 +210,7 @@ EdgePoints cut_edges(const SilhouetteView& view)
                 out.push_back(std::uint32_t(e));
     });
     return {edges, parallel_collect<CutPoint>(candidates.size(), search_grain, [&](std::size_t begin, std::size_t end, std::vector<CutPoint>& out) {
-                EdgeCutter cutter(view, facing);
-                for (std::size_t i = begin; i < end; ++i)
-                    cutter.cut(candidates[i], out);
+                EdgeCutter(view, facing).cut(std::span(candidates).subspan(begin, end - begin), out);
             })};
 }
 
