@@ -38,8 +38,8 @@ public:
     std::span<const CutPoint> operator[](std::uint32_t edge) const;
     /// Those of all edges.
     std::span<const CutPoint> all() const { return points_; }
-    /// The number among all() of an edge's first point.
-    std::size_t first(std::uint32_t edge) const { return std::size_t((*this)[edge].data() - points_.data()); }
+    /// The number among all() of the first of an edge's points.
+    std::size_t number(std::span<const CutPoint> of_edge) const { return std::size_t(of_edge.data() - points_.data()); }
     /// @param points  in the order of comes_before
     void add(const std::vector<CutPoint>& points);
 
