@@ -53,7 +53,7 @@ struct Tables {
     MarkdownTable frames = MarkdownTable({"faces", "level that reaches 0.6 px", "exact", "seed", "level 1", "level 2", "level 3", "level 4", "OSD level 3", "exact/level 3", "exact/OSD", "exact/that level"});
     MarkdownTable still = MarkdownTable({"faces", "exact", "seed", "level 1", "level 2", "level 3", "level 4", "exact/level 3"});
     MarkdownTable parts = MarkdownTable({"faces", "way", "pose", "search, curves, triangles", "upload", "draw", "frame"});
-    MarkdownTable search = MarkdownTable({"faces", "threads", "search", "edges", "crossed", "ms", "M edges/s", "M crossed/s"});
+    MarkdownTable search = MarkdownTable({"mesh", "faces", "threads", "search", "edges", "crossed", "ms", "M edges/s", "M crossed/s"});
     MarkdownTable depths = MarkdownTable({"depth", "bisected (ms)", "all points (ms)"});
     MarkdownTable curves = MarkdownTable({"points", "seed (ms)", "seed triangles", "exact (ms)", "exact triangles"});
     MarkdownTable propagation = MarkdownTable({"picture", "passes", "processor (ms)", "device (ms)", "without passes (ms)"});
@@ -135,24 +135,33 @@ void add_frames(const SilhouetteBench& bench, const std::optional<std::string>& 
     tables.crossover = crossover_of(bench.sizes, to_level_3);
 }
 
-void add_search(const SilhouetteBench& bench, Tables& tables)
+/// The search along the edges of one mesh, in one thread and in all.
+void add_search_of(const std::string& name, std::size_t size, int views, MarkdownTable& table)
 {
     std::vector<int> threads = {1};
     if (tbb::this_task_arena::max_concurrency() > 1)
         threads.push_back(tbb::this_task_arena::max_concurrency());
-    for (const std::size_t size : {bench.sizes.back(), 10 * bench.sizes.back()}) {
-        const SilhouetteSubject subject(silhouette_model(bench.ladder, size));
-        const std::vector<Camera> cameras = silhouette_views(subject.bounds(), bench.views, outline_pixels);
-        for (const int count : threads) {
-            const SearchTimes t = with_threads(count, [&] { return time_search(subject, cameras); });
-            const auto add = [&](const char* name, double crossed, double ms) {
-                tables.search.add({with_thousands(subject.control().topology.triangles.size()), std::to_string(count), name, with_thousands(t.edges), with_thousands(std::size_t(crossed)),
-                                   ms_text(ms), fmt::format("{:.1f}", double(t.edges) / ms / 1e3), fmt::format("{:.2f}", crossed / ms / 1e3)});
-            };
-            add("seed", t.seed_crossed, t.seed);
-            add("exact", t.exact_crossed, t.exact);
-        }
+    const SilhouetteSubject subject(silhouette_model(name, size));
+    const std::vector<Camera> cameras = silhouette_views(subject.bounds(), views, outline_pixels);
+    for (const int count : threads) {
+        const SearchTimes t = with_threads(count, [&] { return time_search(subject, cameras); });
+        const auto add = [&](const char* way, double crossed, double ms) {
+            table.add({name, with_thousands(subject.control().topology.triangles.size()), std::to_string(count), way, with_thousands(t.edges), with_thousands(std::size_t(crossed)),
+                       ms_text(ms), fmt::format("{:.1f}", double(t.edges) / ms / 1e3), fmt::format("{:.2f}", crossed / ms / 1e3)});
+        };
+        add("seed", t.seed_crossed, t.seed);
+        add("exact", t.exact_crossed, t.exact);
     }
+}
+
+void add_search(const SilhouetteBench& bench, Tables& tables)
+{
+    std::vector<std::size_t> sizes = bench.sizes;
+    sizes.push_back(10 * sizes.back());
+    for (const std::size_t size : sizes)
+        add_search_of(bench.ladder, size, bench.views, tables.search);
+    for (const std::string& name : bench.models) // hardly an edge of them is regular
+        add_search_of(name, 0, bench.views, tables.search);
     const SilhouetteSubject subject(silhouette_model(bench.ladder, bench.sizes.back()));
     const std::vector<Camera> cameras = silhouette_views(subject.bounds(), bench.views, outline_pixels);
     for (const DepthTimes& t : time_depths(subject, cameras))
@@ -197,7 +206,7 @@ std::string text_of(const SilhouetteBench& bench, const Tables& tables, const st
         "levels: `LoopLevels`, limit positions and normals of the last level. *OSD level 3*: {}. Exact mode and level 3 {}.\n\n{}\n"
         "A mesh that stays as it is before a moving eye: search, curves, triangles, upload and draw; for uniform levels the draw alone:\n\n{}\n"
         "Where the time of a frame of the moving mesh goes, milliseconds:\n\n{}\n"
-        "The search for crossings along all edges:\n\n{}\n"
+        "The search for crossings along all edges, of meshes that are regular but for 12 vertices and of those above, which are irregular nearly everywhere or have creases:\n\n{}\n"
         "The seed's search of {} faces by its depth, where bisection asks for its points and where all of them are computed as the seed does:\n\n{}\n"
         "Whole silhouettes of that mesh by the pieces of a curve in a face:\n\n{}\n"
         "The parallel Euclidean distance transform, passes in which each pixel hears from 8 neighbours; beside it the processor's exact one without passes:\n\n{}",

@@ -1,5 +1,7 @@
 #include "silhouette_search.h"
 
+#include <algorithm>
+
 #include "bench_table.h"
 #include "console.h"
 #include "limn/subdivision/silhouette_edges.h"
@@ -29,12 +31,10 @@ SilhouetteView view_of(const SilhouetteSubject& subject, const Camera& camera)
 double crossed_edges(const EdgePoints& edges)
 {
     double count = 0;
-    for (const std::vector<CutPoint>& points : edges)
-        for (const CutPoint& point : points)
-            if (point.crossing[0] || point.crossing[1]) {
-                ++count;
-                break;
-            }
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+        const std::span<const CutPoint> points = edges[e];
+        count += std::any_of(points.begin(), points.end(), [](const CutPoint& p) { return p.crossing[0] || p.crossing[1]; });
+    }
     return count;
 }
 

@@ -2,6 +2,7 @@
 
 #include "limn/subdivision/contour_cells.h"
 #include "limn/subdivision/contour_crossings.h"
+#include "limn/subdivision/contour_filter.h"
 #include "limn/subdivision/silhouette_view.h"
 #include "subdivision/exact_views.h"
 
@@ -17,7 +18,7 @@ double height_at(const LimitShape& shape, const Eye& eye, const PatchPoint& at)
 
 const std::vector<Eye> eyes = {{dvec4(3, 2, 4, 1)}, {dvec4(-0.3, 0.9, 0.2, 0)}, {dvec4(0.1, -0.2, 0.4, 1)}};
 
-/// Its sign is that of the surface's normal everywhere, its degree 10 exact: along a patch it is the cross product's.
+/// Its sign is that of the surface's normal everywhere, and over a patch it is the cross product's though of one degree less.
 TEST(ContourPolynomial, IsThatOfTheNormal)
 {
     const ExactSubject subject(shaken(torus(6, 8), 0.1));
@@ -35,9 +36,16 @@ TEST(ContourPolynomial, IsThatOfTheNormal)
                     EXPECT_NEAR(bezier_value(g, at.x, at.y), glm::dot(to_eye, normal), 1e-13 * glm::length(to_eye) * glm::length(normal) + 1e-18);
                 }
                 for (int side = 0; side < 3; ++side) {
-                    const auto along = contour_along_side(face.anchor(), patch, side, eye), same = along_side(g, side);
+                    const SideNet net = side_net(face, node, side);
+                    const auto along = contour_along(face.anchor(), net, eye), same = along_side(g, side);
                     for (std::size_t i = 0; i < along.size(); ++i) {
                         EXPECT_NEAR(along[i], same[i], 1e-12 * std::abs(same[5]) + 1e-16);
+                    }
+                    for (const double t : {0.0, 0.3, 1.0}) {
+                        const dvec2 places[3] = {{t, 0}, {1 - t, t}, {0, 1 - t}};
+                        const SurfaceSample sample = sample_side(face.anchor(), net, t), of_patch = sample_patch(face.anchor(), patch, places[side].x, places[side].y);
+                        EXPECT_LT(glm::distance(sample.position, of_patch.position), 1e-14);
+                        EXPECT_LT(glm::distance(sample.normal, of_patch.normal), 1e-12);
                     }
                 }
                 if (shows_one_side(face.anchor(), patch, eye)) {
@@ -48,6 +56,37 @@ TEST(ContourPolynomial, IsThatOfTheNormal)
                 break; // one for each face will do
             }
         }
+}
+
+/// The kernel's signs are those of the scalar code.
+TEST(ContourFilter, HasTheSignsOfThePolynomial)
+{
+    const ExactSubject subject(shaken(torus(12, 10), 0.4));
+    const ControlEdges& edges = subject.table().edges();
+    std::size_t changes = 0, negatives = 0, tested = 0;
+    for (const Eye& eye : eyes)
+        for (std::uint32_t first = 0; first + edge_lanes <= subject.topology().edge_count(); first += edge_lanes) {
+            EdgeLanes lanes;
+            std::array<std::array<dvec3, regular_edge_support>, edge_lanes> points;
+            for (std::uint32_t k = 0; k < edge_lanes; ++k) {
+                ASSERT_EQ(edges.kind(first + k), ControlEdges::Kind::regular);
+                for (std::size_t p = 0; p < regular_edge_support; ++p) {
+                    points[k][p] = subject.pose().shape.control_positions()[edges.regular(first + k)[p]];
+                    lanes.set(k, p, points[k][p]);
+                }
+            }
+            const SignLanes signs = contour_signs(lanes, eye);
+            for (std::uint32_t k = 0; k < edge_lanes; ++k) {
+                const std::array<double, 10> c = contour_along(dvec3(0), regular_side_net(points[k]), eye);
+                const bool change = std::any_of(c.begin(), c.end(), [&](double value) { return (value < 0) != (c[0] < 0); });
+                EXPECT_EQ(bool(signs.change >> k & 1), change);
+                EXPECT_EQ(bool(signs.negative >> k & 1), c[0] < 0);
+                changes += change, negatives += c[0] < 0, ++tested;
+            }
+        }
+    EXPECT_GT(changes, 50u);
+    EXPECT_GT(negatives, 50u);
+    EXPECT_GT(tested, changes + 100);
 }
 
 /// Checklist 39: as many crossings as dense sampling sees, at the same places; also two on an edge, and more.
@@ -62,9 +101,9 @@ TEST(ContourCrossings, AreThoseOfDenseSampling)
         for (int number = 0; number < 3; ++number) {
             const Camera camera = any_view(subject.bounds(), number);
             const SilhouetteView view{subject.pose(), PicturePlane(camera), searched_eye(camera, dvec3(0)), 0.25, 0, 0};
+            CrossingSearch search(shape, view.eye);
             for (std::uint32_t h = 0; h < subject.topology().twin.size(); ++h) {
-                std::vector<double> crossings;
-                append_crossings(shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);
+                const std::vector<EdgeCrossing>& crossings = search.along(h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))});
                 ASSERT_EQ(crossings.size() % 2 == 1, view.faces_eye(h) != view.faces_eye(next_half_edge(h)));
                 found += crossings.size();
                 even += !crossings.empty() && crossings.size() % 2 == 0;
@@ -80,11 +119,12 @@ TEST(ContourCrossings, AreThoseOfDenseSampling)
                 EXPECT_GE(crossings.size(), dense.size()) << name << ", view " << number << ", half-edge " << h;
                 for (const double t : dense) {
                     double nearest = 1;
-                    for (const double crossing : crossings)
-                        nearest = std::min(nearest, std::abs(crossing - t));
+                    for (const EdgeCrossing& crossing : crossings)
+                        nearest = std::min(nearest, std::abs(crossing.t - t));
                     EXPECT_LT(nearest, 0.6 / samples) << name << ", view " << number << ", half-edge " << h;
                 }
-                for (const double t : crossings) {
+                for (const auto& [t, sample] : crossings) {
+                    EXPECT_LT(glm::distance(sample.position, shape.position(on_half_edge(h, t))), 1e-13);
                     if (t > 0.02 && t < 0.98 && subject.topology().sharpness[subject.topology().edge[h]] == 0) {
                         EXPECT_LT(std::abs(height_at(shape, view.eye, on_half_edge(h, t))), 1e-7);
                     }
@@ -106,13 +146,12 @@ NeedsPoint halved(int times)
 std::vector<BoundaryCrossing> crossings_of(const SilhouetteView& view, std::uint32_t face)
 {
     std::vector<BoundaryCrossing> crossings;
+    CrossingSearch search(view.pose.shape, view.eye);
     for (std::uint32_t side = 0; side < 3; ++side) {
         const std::uint32_t h = 3 * face + side;
-        std::vector<double> along;
-        append_crossings(view.pose.shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, along);
-        for (const double t : along) {
-            const PatchPoint at = on_half_edge(h, t);
-            crossings.push_back({int(side), t, {at.v, at.w}});
+        for (const EdgeCrossing& crossing : search.along(h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))})) {
+            const PatchPoint at = on_half_edge(h, crossing.t);
+            crossings.push_back({int(side), crossing.t, {at.v, at.w}});
         }
     }
     return crossings;

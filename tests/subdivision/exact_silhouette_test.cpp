@@ -230,19 +230,17 @@ std::size_t count_crossings(const SilhouetteView& view, const EdgePoints* found)
 {
     const LoopTopology& t = view.topology();
     std::size_t count = 0;
-    std::vector<double> crossings;
+    CrossingSearch search(view.pose.shape, view.eye);
     for (std::uint32_t e = 0; e < t.edge_count(); ++e)
         for (std::size_t side = 0; side < 2; ++side) {
             const std::uint32_t h = side == 0 ? t.half_edge[e] : t.twin[t.half_edge[e]];
             if (h == none || (side == 1 && t.sharpness[e] < infinitely_sharp))
                 continue;
-            crossings.clear();
             if (found)
                 for (const CutPoint& p : (*found)[e])
                     count += p.crossing[side];
             else
-                append_crossings(view.pose.shape, view.eye, h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}, crossings);
-            count += crossings.size();
+                count += search.along(h, {view.faces_eye(h), view.faces_eye(next_half_edge(h))}).size();
         }
     return count;
 }

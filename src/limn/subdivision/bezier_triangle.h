@@ -9,6 +9,12 @@ namespace limn {
 
 /// Where the coefficient of v^j w^k (times u^(degree-j-k)) stands: rows of equal k.
 constexpr std::size_t bezier_index(int degree, int j, int k) { return std::size_t(k * (degree + 1) - k * (k - 1) / 2 + j); }
+/// The same for the coefficient `along` a side, from corner `side` on, and `inwards` rows from it.
+constexpr std::size_t bezier_side_index(int degree, int side, int along, int inwards)
+{
+    const int left = degree - along - inwards;
+    return side == 0 ? bezier_index(degree, along, inwards) : side == 1 ? bezier_index(degree, left, along) : bezier_index(degree, inwards, left);
+}
 constexpr std::size_t bezier_size(int degree) { return std::size_t((degree + 1) * (degree + 2) / 2); }
 
 /// A polynomial over a triangle in Bernstein form, after the weights v and w of its second and third corner (u = 1-v-w that of the first):
@@ -29,30 +35,6 @@ template <int degree, class T> BezierTriangle<degree - 1, T> casteljau_step(cons
         for (int j = 0; j < degree - k; ++j)
             out.at(j, k) = u * b.at(j, k) + v * b.at(j + 1, k) + w * b.at(j, k + 1);
     return out;
-}
-
-template <int degree, class T> T bezier_value(const BezierTriangle<degree, T>& b, double v, double w)
-{
-    if constexpr (degree == 0)
-        return b.c[0];
-    else
-        return bezier_value(casteljau_step(b, v, w), v, w);
-}
-
-/// A value with its derivatives after v and w.
-template <class T> struct BezierPoint {
-    T value, dv, dw;
-};
-template <int degree, class T> BezierPoint<T> bezier_point(const BezierTriangle<degree, T>& b, double v, double w)
-{
-    if constexpr (degree == 1)
-        return {bezier_value(b, v, w), b.c[1] - b.c[0], b.c[2] - b.c[0]};
-    else {
-        BezierPoint<T> point = bezier_point(casteljau_step(b, v, w), v, w);
-        constexpr double grows = double(degree) / (degree - 1);
-        point.dv *= grows, point.dw *= grows;
-        return point;
-    }
 }
 
 /// The derivative after v or w.
@@ -84,6 +66,38 @@ template <int degree> inline constexpr std::array<double, bezier_size(degree)> m
     return all;
 }();
 
+/// Calls f(j, k, value) for the Bernstein polynomials of a degree at a place.
+template <int degree, class F> void each_bernstein(double v, double w, F&& f)
+{
+    double of_u[degree + 1], of_v[degree + 1], of_w[degree + 1]; // powers
+    of_u[0] = of_v[0] = of_w[0] = 1;
+    for (int i = 0; i < degree; ++i)
+        of_u[i + 1] = of_u[i] * (1 - v - w), of_v[i + 1] = of_v[i] * v, of_w[i + 1] = of_w[i] * w;
+    for (int k = 0; k <= degree; ++k)
+        for (int j = 0; j <= degree - k; ++j)
+            f(j, k, multinomials<degree>[bezier_index(degree, j, k)] * of_u[degree - j - k] * (of_v[j] * of_w[k]));
+}
+
+template <int degree, class T> T bezier_value(const BezierTriangle<degree, T>& b, double v, double w)
+{
+    T sum(0);
+    each_bernstein<degree>(v, w, [&](int j, int k, double weight) { sum += weight * b.at(j, k); });
+    return sum;
+}
+
+/// A value with its derivatives after v and w.
+template <class T> struct BezierPoint {
+    T value, dv, dw;
+};
+template <int degree, class T> BezierPoint<T> bezier_point(const BezierTriangle<degree, T>& b, double v, double w)
+{
+    T first(0), second(0), third(0); // de Casteljau's points before the last step
+    each_bernstein<degree - 1>(v, w, [&](int j, int k, double weight) {
+        first += weight * b.at(j, k), second += weight * b.at(j + 1, k), third += weight * b.at(j, k + 1);
+    });
+    return {(1 - v - w) * first + v * second + w * third, double(degree) * (second - first), double(degree) * (third - first)};
+}
+
 /// The product of two polynomials. @param multiply  of two coefficients
 template <int m, int n, class A, class B, class F> auto bezier_product(BezierTriangle<m, A> a, BezierTriangle<n, B> b, F&& multiply)
 {
@@ -112,6 +126,15 @@ template <int degree, class T> BezierTriangle<degree, T> bezier_part(const Bezie
             for (std::size_t j = 0; j < std::size_t(of_degree) - k; ++j)
                 work[k][j] = at.x * work[k][j] + at.y * work[k][j + 1] + at.z * work[k + 1][j];
     };
+    const auto stepped = [&](const Work& work, int times, const dvec3& at) { // the only value after so many steps
+        const std::size_t last = std::size_t(times);
+        if (at == dvec3(1, 0, 0) || at == dvec3(0, 1, 0) || at == dvec3(0, 0, 1)) // a corner of the whole triangle
+            return at.x == 1 ? work[0][0] : at.y == 1 ? work[0][last] : work[last][0];
+        Work left = work;
+        for (int i = times; i > 0; --i)
+            step(left, i, at);
+        return left[0][0];
+    };
     Work third;
     for (int k = 0; k <= degree; ++k)
         for (int j = 0; j <= degree - k; ++j)
@@ -120,10 +143,7 @@ template <int degree, class T> BezierTriangle<degree, T> bezier_part(const Bezie
     for (int k = 0; k <= degree; ++k) { // the blossom: k times the third corner, j times the second, else the first
         Work second = third;
         for (int j = 0; j <= degree - k; ++j) {
-            Work first = second;
-            for (int left = degree - k - j; left > 0; --left)
-                step(first, left, corners[0]);
-            out.at(j, k) = first[0][0];
+            out.at(j, k) = stepped(second, degree - k - j, corners[0]);
             step(second, degree - k - j, corners[1]);
         }
         step(third, degree - k, corners[2]);

@@ -88,8 +88,8 @@ bool grows(const ContourCell& cell, const dvec2& direction)
     for (const auto& piece : cell.pieces) {
         const dvec2 d = in_piece(*piece, direction);
         const ContourPolynomial& g = piece->g;
-        for (int k = 0; k < 10; ++k)
-            for (int j = 0; j < 10 - k; ++j) {
+        for (int k = 0; k < 9; ++k)
+            for (int j = 0; j < 9 - k; ++j) {
                 const double here = g.at(j, k);
                 if (!(d.x * (g.at(j + 1, k) - here) + d.y * (g.at(j, k + 1) - here) > 0))
                     return false;

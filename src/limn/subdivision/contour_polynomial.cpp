@@ -5,15 +5,6 @@
 namespace limn {
 namespace {
 
-/// Where the coefficient `inwards` rows from a side and `along` it stands.
-template <int degree> constexpr std::size_t from_side(int side, int along, int inwards)
-{
-    const int left = degree - along - inwards;
-    return side == 0 ? bezier_index(degree, along, inwards) : side == 1 ? bezier_index(degree, left, along) : bezier_index(degree, inwards, left);
-}
-
-constexpr double binomial(int n, int k) { return factorial(n) / (factorial(k) * factorial(n - k)); }
-
 /// Coefficients in rows, each coordinate by itself, times their multinomials: products of such polynomials are sums of products.
 template <int degree> struct Rows {
     static constexpr std::size_t width = std::size_t(degree) + 1;
@@ -50,18 +41,18 @@ Rows<6> normal_rows(const QuarticPatch& patch)
 ContourPolynomial contour_polynomial(const dvec3& anchor, const QuarticPatch& patch, const Eye& eye)
 {
     const Rows<6> normal = normal_rows(patch);
-    double g[11][11] = {};
-    for (int ka = 0; ka <= 4; ++ka)
-        for (int ja = 0; ja <= 4 - ka; ++ja) {
-            const dvec3 to_eye = multinomials<4>[bezier_index(4, ja, ka)] * eye.from(anchor + patch.at(ja, ka));
+    double g[10][10] = {};
+    for (int ka = 0; ka <= 3; ++ka) // the patch's part at its first corner, of degree 3: p is further in the tangent plane
+        for (int ja = 0; ja <= 3 - ka; ++ja) {
+            const dvec3 to_eye = multinomials<3>[bezier_index(3, ja, ka)] * eye.from(anchor + patch.at(ja, ka));
             for (int kb = 0; kb <= 6; ++kb)
                 for (int jb = 0; jb <= 6 - kb; ++jb)
                     g[ka + kb][ja + jb] += to_eye.x * normal.x[kb][jb] + to_eye.y * normal.y[kb][jb] + to_eye.z * normal.z[kb][jb];
         }
     ContourPolynomial out;
-    for (int k = 0; k <= 10; ++k)
-        for (int j = 0; j <= 10 - k; ++j)
-            out.at(j, k) = g[k][j] / multinomials<10>[bezier_index(10, j, k)];
+    for (int k = 0; k <= 9; ++k)
+        for (int j = 0; j <= 9 - k; ++j)
+            out.at(j, k) = g[k][j] / multinomials<9>[bezier_index(9, j, k)];
     return out;
 }
 
@@ -84,35 +75,11 @@ bool shows_one_side(const dvec3& anchor, const QuarticPatch& patch, const Eye& e
     return true;
 }
 
-std::array<double, 11> contour_along_side(const dvec3& anchor, const QuarticPatch& patch, int side, const Eye& eye)
+std::array<double, 10> along_side(const ContourPolynomial& polynomial, int side)
 {
-    dvec3 outer[5], along[4], across[4];
-    for (int i = 0; i < 5; ++i)
-        outer[i] = patch.c[from_side<4>(side, i, 0)];
-    for (int i = 0; i < 4; ++i) {
-        along[i] = binomial(3, i) * (outer[i + 1] - outer[i]);
-        across[i] = binomial(3, i) * (patch.c[from_side<4>(side, i, 1)] - outer[i]);
-    }
-    dvec3 normal[7] = {};
-    for (int i = 0; i < 4; ++i)
-        for (int k = 0; k < 4; ++k)
-            normal[i + k] += glm::cross(along[i], across[k]);
-    std::array<double, 11> out{};
-    for (int i = 0; i < 5; ++i) {
-        const dvec3 to_eye = binomial(4, i) * eye.from(anchor + outer[i]);
-        for (int k = 0; k < 7; ++k)
-            out[std::size_t(i + k)] += glm::dot(to_eye, normal[k]);
-    }
-    for (int i = 0; i < 11; ++i)
-        out[std::size_t(i)] /= binomial(10, i);
-    return out;
-}
-
-std::array<double, 11> along_side(const ContourPolynomial& polynomial, int side)
-{
-    std::array<double, 11> out;
-    for (int i = 0; i < 11; ++i)
-        out[std::size_t(i)] = polynomial.c[from_side<10>(side, i, 0)];
+    std::array<double, 10> out;
+    for (int i = 0; i < 10; ++i)
+        out[std::size_t(i)] = polynomial.c[bezier_side_index(9, side, i, 0)];
     return out;
 }
 

@@ -1,7 +1,7 @@
 #include "limn/subdivision/exact_silhouette.h"
 
 #include <algorithm>
-#include <optional>
+#include <array>
 
 #include "limn/base/parallel.h"
 #include "limn/subdivision/silhouette_face.h"
@@ -9,19 +9,20 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t grain = 64;
+constexpr std::size_t grain = 256, cut_grain = 8, fill_grain = 512; ///< faces
 
-/// A control face as it is drawn; a single triangle where it is not cut.
+/// A control face that is drawn as more than one triangle.
 struct DrawnFace {
-    std::optional<CutFace> cut;
+    CutFace cut;
     FaceTriangles made;
+    bool changed = true; ///< since it was triangulated
 };
 
 bool is_plain(const CutFace& face) { return face.leaves.size() == 1 && face.leaves[0].arcs.empty(); }
 
 bool has_edge_points(const LoopTopology& t, std::uint32_t face, const EdgePoints& edges)
 {
-    return !edges[t.edge[3 * face]].empty() || !edges[t.edge[3 * face + 1]].empty() || !edges[t.edge[3 * face + 2]].empty();
+    return edges.has_points(t.edge[3 * face]) || edges.has_points(t.edge[3 * face + 1]) || edges.has_points(t.edge[3 * face + 2]);
 }
 
 /// Whether a face drawn as one triangle shows the side that it should.
@@ -39,149 +40,220 @@ bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front
     return true;
 }
 
+/// A face that is not known to be drawn as one triangle.
+struct FaceToCut {
+    std::uint32_t face;
+    bool whole; ///< nothing asks for a cut but a contour
+    bool holds; ///< a contour may be in it
+};
+
+/// How much of a mesh the faces before one have.
+struct MeshCounts {
+    std::size_t triangles = 0, own = 0, curves = 0;
+};
+
 class Maker {
 public:
-    Maker(const SilhouetteView& view, int deepest) : view_(view), deepest_(deepest), edges_(cut_edges(view)), faces_(view.topology().triangles.size()) {}
+    Maker(const SilhouetteView& view, int deepest) : view_(view), deepest_(deepest), edges_(cut_edges(view)), numbers_(view.topology().triangles.size(), none) {}
 
     void make()
     {
-        std::vector<std::uint8_t> changed(faces_.size(), 0);
-        parallel_each(faces_.size(), grain, [&](std::size_t f) {
-            const std::uint32_t face = std::uint32_t(f);
-            const bool whole = !has_edge_points(view_.topology(), face, edges_) && is_good_triangle(view_, face, view_.faces_eye(3 * face));
-            if (whole && !may_hold_contour(view_, face, edges_))
-                return;
-            CutFace cut = cut_face(view_, face, edges_);
-            if (whole && is_plain(cut))
-                return;
-            faces_[f].cut = std::move(cut);
-            changed[f] = 1;
-        });
-        add_side_points(changed, changed);
+        cut_faces();
+        add_side_points();
         for (;;) {
-            parallel_each(faces_.size(), grain, [&](std::size_t f) {
-                if (changed[f])
-                    faces_[f].made = triangulate_face(view_, *faces_[f].cut, edges_);
+            parallel_each(drawn_.size(), cut_grain, [&](std::size_t i) {
+                if (drawn_[i].changed)
+                    drawn_[i].made = triangulate_face(view_, drawn_[i].cut, edges_);
             });
-            std::vector<std::uint8_t> split(faces_.size(), 0);
-            parallel_each(faces_.size(), grain, [&](std::size_t f) { split[f] = changed[f] && split_bad(faces_[f]); });
-            if (std::find(split.begin(), split.end(), 1) == split.end())
+            parallel_each(drawn_.size(), cut_grain, [&](std::size_t i) { drawn_[i].changed = drawn_[i].changed && split_bad(drawn_[i]); });
+            if (std::none_of(drawn_.begin(), drawn_.end(), [](const DrawnFace& face) { return face.changed; }))
                 break;
-            changed = split;
-            add_side_points(split, changed);
+            add_side_points();
         }
     }
     SilhouetteMesh finish() const;
     ExactSilhouetteReport report() const;
 
 private:
+    void cut_faces()
+    {
+        const std::vector<FaceToCut> to_cut = parallel_collect<FaceToCut>(numbers_.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<FaceToCut>& out) {
+            for (std::uint32_t face = std::uint32_t(begin); face < end; ++face) {
+                const bool whole = !has_edge_points(view_.topology(), face, edges_) && is_good_triangle(view_, face, view_.faces_eye(3 * face));
+                const bool holds = may_hold_contour(view_, face, edges_);
+                if (!whole || holds)
+                    out.push_back({face, whole, holds});
+            }
+        });
+        drawn_.resize(to_cut.size());
+        parallel_each(to_cut.size(), cut_grain, [&](std::size_t i) { drawn_[i].cut = cut_face(view_, to_cut[i].face, edges_, to_cut[i].holds); });
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < to_cut.size(); ++i) {
+            if (to_cut[i].whole && is_plain(drawn_[i].cut))
+                continue;
+            numbers_[to_cut[i].face] = std::uint32_t(kept);
+            if (kept != i)
+                drawn_[kept] = std::move(drawn_[i]);
+            ++kept;
+        }
+        drawn_.resize(kept);
+    }
     /// Cuts the leaves in four that are not good enough. @return whether there were any
     bool split_bad(DrawnFace& face) const
     {
         std::vector<bool> which = face.made.to_split;
         for (std::size_t i = 0; i < which.size(); ++i)
-            which[i] = which[i] && face.cut->leaves[i].level < deepest_;
+            which[i] = which[i] && face.cut.leaves[i].level < deepest_;
         if (std::find(which.begin(), which.end(), true) == which.end())
             return false;
-        face.cut = split_leaves(view_, *face.cut, which);
+        face.cut = split_leaves(view_, face.cut, which);
         return true;
     }
-    /// Cuts edges where leaves of some faces have corners. @param changed  gains the faces beside edges that were cut
-    void add_side_points(const std::vector<std::uint8_t>& of, std::vector<std::uint8_t>& changed)
+    /// Cuts edges where leaves of changed faces have corners; the faces beside those edges change too.
+    void add_side_points()
     {
         const LoopTopology& t = view_.topology();
         std::vector<std::uint32_t> beside;
-        for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-            if (!of[f])
+        std::vector<EdgePlace> places;
+        for (const DrawnFace& face : drawn_) {
+            if (!face.changed)
                 continue;
-            for (const SidePoint& point : side_points(*faces_[f].cut)) {
-                const std::uint32_t h = 3 * f + std::uint32_t(point.side), e = t.edge[h];
-                const bool runs = t.half_edge[e] == h;
-                if (add_edge_point(view_, e, runs ? point.t : 1 - point.t, edges_[e]) && t.twin[h] != none)
+            for (const SidePoint& point : side_points(face.cut)) {
+                const std::uint32_t h = 3 * face.cut.face + std::uint32_t(point.side), e = t.edge[h];
+                const EdgePlace place = {e, t.half_edge[e] == h ? point.t : 1 - point.t};
+                if (has_point(edges_[e], place.t))
+                    continue;
+                places.push_back(place);
+                if (t.twin[h] != none)
                     beside.push_back(t.twin[h] / 3);
             }
         }
+        add_edge_points(view_, std::move(places), edges_);
         for (const std::uint32_t f : beside) {
-            changed[f] = 1;
-            if (!faces_[f].cut)
-                faces_[f].cut = cut_face(view_, f, edges_);
+            if (numbers_[f] == none) {
+                numbers_[f] = std::uint32_t(drawn_.size());
+                drawn_.emplace_back().cut = cut_face(view_, f, edges_, may_hold_contour(view_, f, edges_));
+            }
+            drawn_[numbers_[f]].changed = true;
         }
+    }
+    std::vector<MeshCounts> counts() const
+    {
+        std::vector<MeshCounts> before(numbers_.size() + 1);
+        for (std::size_t f = 0; f < numbers_.size(); ++f) {
+            before[f + 1] = before[f];
+            if (numbers_[f] == none) {
+                ++before[f + 1].triangles;
+                continue;
+            }
+            const FaceTriangles& made = drawn_[numbers_[f]].made;
+            before[f + 1].triangles += made.triangles.size(), before[f + 1].own += made.own.size(), before[f + 1].curves += made.curves.size();
+        }
+        return before;
+    }
+    void fill_whole(std::uint32_t f, std::size_t at, SilhouetteMesh& out) const;
+    void fill_cut(std::uint32_t f, const MeshCounts& at, SilhouetteMesh& out) const;
+    void fill_corner(std::uint32_t f, const dvec3& normal, const dvec2& at, std::size_t corner, SilhouetteMesh& out) const
+    {
+        out.mesh.corner_normals[corner] = vec3(normal == dvec3(0) ? view_.pose.corners.normals[3 * f] : normal); // 0: no tangent plane
+        out.parameters[corner] = at;
     }
 
     const SilhouetteView& view_;
     int deepest_;
     EdgePoints edges_;
-    std::vector<DrawnFace> faces_;
+    std::vector<std::uint32_t> numbers_; ///< per face: its number among those drawn as more than one triangle, or `none`
+    std::vector<DrawnFace> drawn_;
 };
 
+/// Vertices: the control mesh's, those on edges, then each face's own.
 SilhouetteMesh Maker::finish() const
 {
-    const LoopTopology& t = view_.topology();
+    const std::vector<MeshCounts> before = counts();
+    const std::size_t triangles = before.back().triangles, vertices = view_.pose.corners.positions.size();
     SilhouetteMesh out;
+    out.mesh.positions.reserve(vertices + edges_.all().size() + before.back().own);
     out.mesh.positions = view_.pose.corners.positions;
-    std::vector<std::uint32_t> first_of_edge(edges_.size());
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-        first_of_edge[e] = std::uint32_t(out.mesh.positions.size());
-        for (const CutPoint& p : edges_[e])
-            out.mesh.positions.push_back(p.position);
-    }
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-        const auto add_corner = [&](const dvec3& normal, const dvec2& at) {
-            out.mesh.corner_normals.push_back(vec3(normal == dvec3(0) ? view_.pose.corners.normals[3 * f] : normal)); // 0: no tangent plane
-            out.parameters.push_back(at);
-        };
-        if (!faces_[f].cut) {
-            out.mesh.triangles.push_back(t.triangles[f]);
-            out.faces.push_back(f);
-            add_corner(view_.pose.corners.normals[3 * f], {0, 0});
-            add_corner(view_.pose.corners.normals[3 * f + 1], {1, 0});
-            add_corner(view_.pose.corners.normals[3 * f + 2], {0, 1});
-            continue;
-        }
-        const FaceTriangles& made = faces_[f].made;
-        const std::uint32_t first_own = std::uint32_t(out.mesh.positions.size());
-        for (const SurfaceSample& sample : made.own)
-            out.mesh.positions.push_back(sample.position);
-        const auto vertex = [&](std::uint32_t p) {
-            const FacePoint& point = made.points[p];
-            return point.of == FacePoint::Of::corner ? t.triangles[f][int(point.side)]
-                   : point.of == FacePoint::Of::edge ? first_of_edge[t.edge[3 * f + point.side]] + point.index
-                                                     : first_own + point.index;
-        };
-        for (const uvec3& triangle : made.triangles) {
-            out.mesh.triangles.push_back({vertex(triangle.x), vertex(triangle.y), vertex(triangle.z)});
-            out.faces.push_back(f);
-            for (int k = 0; k < 3; ++k) {
-                const FacePoint& point = made.points[triangle[k]];
-                const std::uint32_t h = 3 * f + point.side, e = t.edge[h];
-                add_corner(point.of == FacePoint::Of::corner ? view_.pose.corners.normals[h]
-                           : point.of == FacePoint::Of::edge ? edges_[e][point.index].normals[t.half_edge[e] == h ? 0 : 1]
-                                                             : made.own[point.index].normal,
-                           point.at);
-            }
-        }
-        for (const std::vector<std::uint32_t>& curve : made.curves) {
-            std::vector<std::uint32_t>& of_mesh = out.curves.emplace_back();
-            for (const std::uint32_t p : curve)
-                of_mesh.push_back(vertex(p));
-        }
-    }
+    for (const CutPoint& p : edges_.all())
+        out.mesh.positions.push_back(p.position);
+    out.mesh.positions.resize(vertices + edges_.all().size() + before.back().own);
+    out.mesh.triangles.resize(triangles);
+    out.mesh.corner_normals.resize(3 * triangles);
+    out.faces.resize(triangles);
+    out.parameters.resize(3 * triangles);
+    out.curves.resize(before.back().curves);
+    parallel_each(numbers_.size(), fill_grain, [&](std::size_t f) {
+        if (numbers_[f] == none)
+            fill_whole(std::uint32_t(f), before[f].triangles, out);
+        else
+            fill_cut(std::uint32_t(f), before[f], out);
+    });
     return out;
+}
+
+void Maker::fill_whole(std::uint32_t f, std::size_t at, SilhouetteMesh& out) const
+{
+    constexpr dvec2 corners[3] = {{0, 0}, {1, 0}, {0, 1}};
+    out.mesh.triangles[at] = view_.topology().triangles[f];
+    out.faces[at] = f;
+    for (std::uint32_t k = 0; k < 3; ++k)
+        fill_corner(f, view_.pose.corners.normals[3 * f + k], corners[k], 3 * at + k, out);
+}
+
+void Maker::fill_cut(std::uint32_t f, const MeshCounts& at, SilhouetteMesh& out) const
+{
+    const LoopTopology& t = view_.topology();
+    const FaceTriangles& made = drawn_[numbers_[f]].made;
+    const std::size_t first_on_edges = view_.pose.corners.positions.size(), first_own = first_on_edges + edges_.all().size() + at.own;
+    for (std::size_t i = 0; i < made.own.size(); ++i)
+        out.mesh.positions[first_own + i] = made.own[i].position;
+    std::array<std::span<const CutPoint>, 3> on_sides;
+    std::array<std::size_t, 3> first_on_side;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        on_sides[k] = edges_[t.edge[3 * f + k]];
+        first_on_side[k] = on_sides[k].empty() ? 0 : first_on_edges + edges_.number(on_sides[k]);
+    }
+    const auto vertex = [&](std::uint32_t p) {
+        const FacePoint& point = made.points[p];
+        return point.of == FacePoint::Of::corner ? t.triangles[f][int(point.side)]
+               : point.of == FacePoint::Of::edge ? std::uint32_t(first_on_side[point.side]) + point.index
+                                                 : std::uint32_t(first_own) + point.index;
+    };
+    for (std::size_t i = 0; i < made.triangles.size(); ++i) {
+        const uvec3& triangle = made.triangles[i];
+        const std::size_t number = at.triangles + i;
+        out.mesh.triangles[number] = {vertex(triangle.x), vertex(triangle.y), vertex(triangle.z)};
+        out.faces[number] = f;
+        for (int k = 0; k < 3; ++k) {
+            const FacePoint& point = made.points[triangle[k]];
+            const std::uint32_t h = 3 * f + point.side;
+            fill_corner(f,
+                        point.of == FacePoint::Of::corner ? view_.pose.corners.normals[h]
+                        : point.of == FacePoint::Of::edge ? on_sides[point.side][point.index].normals[view_.side_of(h)]
+                                                          : made.own[point.index].normal,
+                        point.at, 3 * number + std::size_t(k), out);
+        }
+    }
+    for (std::size_t i = 0; i < made.curves.size(); ++i) {
+        std::vector<std::uint32_t>& curve = out.curves[at.curves + i];
+        curve.resize(made.curves[i].size());
+        std::transform(made.curves[i].begin(), made.curves[i].end(), curve.begin(), vertex);
+    }
 }
 
 ExactSilhouetteReport Maker::report() const
 {
     ExactSilhouetteReport report;
-    for (const std::vector<CutPoint>& points : edges_) {
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
         std::size_t crossings[2] = {0, 0};
-        for (const CutPoint& p : points)
+        for (const CutPoint& p : edges_[e])
             for (std::size_t side = 0; side < 2; ++side)
                 crossings[side] += p.crossing[side];
         report.crossed_edges += crossings[0] + crossings[1] > 0;
         report.even_edges += (crossings[0] > 0 && crossings[0] % 2 == 0) || (crossings[1] > 0 && crossings[1] % 2 == 0);
     }
-    for (const DrawnFace& face : faces_) {
-        report.cut_faces += face.cut.has_value();
+    report.cut_faces = drawn_.size();
+    for (const DrawnFace& face : drawn_) {
         report.curves += face.made.curves.size();
         report.turned_over = std::max(report.turned_over, face.made.most_turned);
     }

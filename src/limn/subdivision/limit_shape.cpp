@@ -82,7 +82,7 @@ dvec3 unit(const dvec3& d)
 } // namespace
 
 LimitShape::LimitShape(const PatchTable& table, std::span<const dvec3> positions)
-    : table_(&table), positions_(refine_positions(table.control(), positions))
+    : table_(&table), control_positions_(positions.begin(), positions.end()), positions_(refine_positions(table.control(), positions))
 {
 }
 

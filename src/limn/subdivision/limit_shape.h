@@ -50,6 +50,10 @@ public:
     /// The coefficients of a patch of the class, as seen from the anchor.
     QuarticPatch patch(const PatchClass::Node& node) const;
     dvec3 weighted(std::size_t row) const;
+    /// Whether the class is PatchTable::regular.
+    bool is_regular() const { return regular_; }
+    /// What the face depends on (PatchTable::support).
+    const dvec3* points() const { return many_.empty() ? few_.data() : many_.data(); }
 
 private:
     static constexpr std::size_t usual = 24; ///< points, so that memory has to be asked for only at valences above 18
@@ -57,7 +61,6 @@ private:
     bool regular_;
     std::array<dvec3, usual> few_;
     std::vector<dvec3> many_;
-    const dvec3* points() const { return many_.empty() ? few_.data() : many_.data(); }
     dvec3 anchor_ = dvec3(0);
 };
 
@@ -85,10 +88,12 @@ public:
     const PatchTable& table() const { return *table_; }
     /// The vertices of the mesh after one step, of which all patches are made.
     std::span<const dvec3> refined_positions() const { return positions_; }
+    /// The vertices of the control mesh.
+    std::span<const dvec3> control_positions() const { return control_positions_; }
 
 private:
     const PatchTable* table_;
-    std::vector<dvec3> positions_;
+    std::vector<dvec3> control_positions_, positions_;
 };
 
 } // namespace limn

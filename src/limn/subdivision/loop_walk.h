@@ -21,4 +21,19 @@ template <class F> bool walk_around(const LoopTopology& t, std::uint32_t vertex,
     return true;
 }
 
+/// The neighbours of the start of h, counter-clockwise from h's end. @return whether they are six, all around, with no sharp edge
+inline bool six_around(const LoopTopology& t, std::uint32_t h, std::uint32_t (&ring)[6])
+{
+    std::uint32_t at = h;
+    for (std::uint32_t& neighbour : ring) {
+        if (t.sharpness[t.edge[at]] > 0)
+            return false;
+        neighbour = t.end(at);
+        at = t.twin[next_half_edge(next_half_edge(at))];
+        if (at == none || (at == h) != (&neighbour == &ring[5])) // all around before the sixth, or not even then
+            return false;
+    }
+    return true;
+}
+
 } // namespace limn

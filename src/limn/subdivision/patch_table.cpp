@@ -4,6 +4,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/subdivision/loop_refine.h"
+#include "limn/subdivision/loop_walk.h"
 #include "limn/subdivision/patch_class.h"
 #include "limn/subdivision/patch_neighbourhood.h"
 
@@ -13,21 +14,6 @@ namespace {
 constexpr std::size_t grain = 1024;
 
 using RegularPoints = std::array<std::uint32_t, regular_support>;
-
-/// The neighbours of the start of h, counter-clockwise from h's end. @return whether they are six, all around, with no sharp edge
-bool six_around(const LoopTopology& t, std::uint32_t h, std::uint32_t (&ring)[6])
-{
-    std::uint32_t at = h;
-    for (std::uint32_t& neighbour : ring) {
-        if (t.sharpness[t.edge[at]] > 0)
-            return false;
-        neighbour = t.end(at);
-        at = t.twin[next_half_edge(next_half_edge(at))];
-        if (at == none || (at == h) != (&neighbour == &ring[5])) // all around before the sixth, or not even then
-            return false;
-    }
-    return true;
-}
 
 /// @return whether the face is regular in the simplest way, without creases
 bool is_regular(const LoopTopology& t, std::uint32_t face, RegularPoints& points)
@@ -51,7 +37,7 @@ PatchClass regular_class()
 
 } // namespace
 
-PatchTable::PatchTable(LoopTopology control) : control_(std::move(control)), refined_(refine(control_)), classes_{regular_class()}
+PatchTable::PatchTable(LoopTopology control) : control_(std::move(control)), refined_(refine(control_)), edges_(control_), classes_{regular_class()}
 {
     const std::size_t faces = refined_.triangles.size();
     std::vector<RegularPoints> points(faces);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limn/subdivision/box_spline.h"
+#include "limn/subdivision/control_edges.h"
 #include "limn/subdivision/loop_topology.h"
 
 namespace limn {
@@ -48,6 +49,7 @@ public:
     const LoopTopology& control() const { return control_; }
     /// The mesh after one step; face 4f + k is at corner k of control face f, 4f + 3 in its middle.
     const LoopTopology& refined() const { return refined_; }
+    const ControlEdges& edges() const { return edges_; }
     std::uint32_t class_of(std::uint32_t refined_face) const { return class_[refined_face]; }
     const PatchClass& patch_class(std::uint32_t number) const { return classes_[number]; }
     /// The vertices of the refined mesh that a face of it depends on.
@@ -58,6 +60,7 @@ public:
 
 private:
     LoopTopology control_, refined_;
+    ControlEdges edges_;
     std::vector<PatchClass> classes_;
     std::vector<std::uint32_t> class_;   ///< per refined face
     std::vector<std::size_t> first_;     ///< per refined face, and one past the last

@@ -141,7 +141,7 @@ PointSet boundary_points(const SilhouetteView& view, const CutFace& face, const 
         set.add({FacePoint::Of::corner, k, 0, on_side(k, 0)});
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * face.face + k;
-        const std::vector<CutPoint>& points = edges[t.edge[h]];
+        const std::span<const CutPoint> points = edges[t.edge[h]];
         for (std::uint32_t i = 0; i < points.size(); ++i)
             set.add({FacePoint::Of::edge, k, i, on_side(k, along_side(t, h, points[i].t))});
     }
@@ -244,11 +244,9 @@ std::vector<Region> regions_of(const SilhouetteView& view, std::uint32_t face, c
 /// Places in a leaf's plane, so that its triangles have their shape; the parameters where it has no plane.
 class LeafPlane {
 public:
-    LeafPlane(const SilhouetteView& view, std::uint32_t face, const ParameterTriangle& corners) : corners_(corners)
+    /// @param p  where the corners are
+    LeafPlane(const ParameterTriangle& corners, const std::array<dvec3, 3>& p) : corners_(corners)
     {
-        dvec3 p[3];
-        for (std::size_t k = 0; k < 3; ++k)
-            p[k] = view.pose.shape.position({face, corners[k].x, corners[k].y});
         const dvec3 a = p[1] - p[0], b = p[2] - p[0];
         const double length = glm::length(a), height = length > 0 ? glm::length(glm::cross(a, b)) / length : 0;
         if (height > 0)
@@ -266,12 +264,14 @@ private:
     dvec2 first_ = {1, 0}, second_ = {0, 1};
 };
 
-dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const EdgePoints& edges, const std::vector<SurfaceSample>& own)
+/// The points of a face's edges.
+using FaceEdges = std::array<std::span<const CutPoint>, 3>;
+
+const dvec3& position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const FaceEdges& on_sides, const std::vector<SurfaceSample>& own)
 {
-    const LoopTopology& t = view.topology();
     switch (point.of) {
-    case FacePoint::Of::corner: return view.pose.corners.positions[t.triangles[face][int(point.side)]];
-    case FacePoint::Of::edge: return edges[t.edge[3 * face + point.side]][point.index].position;
+    case FacePoint::Of::corner: return view.pose.corners.positions[view.topology().triangles[face][int(point.side)]];
+    case FacePoint::Of::edge: return on_sides[point.side][point.index].position;
     default: return own[point.index].position;
     }
 }
@@ -307,14 +307,14 @@ bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const Edge
     return may_be_crossed(places, share_of_faces) && !is_clear_of_contours(view.pose.shape, view.eye, face);
 }
 
-CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges)
+CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges, bool may_hold)
 {
     const LoopTopology& t = view.topology();
     CutFace out{face, {}};
     FaceLeaf& leaf = out.leaves.emplace_back();
     leaf.cell.corners = {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)};
     leaf.front = view.faces_eye(3 * face);
-    if (!may_hold_contour(view, face, edges) || is_point(view, face))
+    if (!may_hold || is_point(view, face))
         return out;
     leaf.cell = contour_cell(view.pose.shape, view.eye, face);
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -386,8 +386,16 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
         out.to_split.push_back(is_too_flat(view, face.face, leaf));
     std::vector<dvec2> places(out.points.size());
     std::vector<std::uint8_t> lines(out.points.size());
+    const LoopTopology& t = view.topology();
+    const FaceEdges on_sides = {edges[t.edge[3 * face.face]], edges[t.edge[3 * face.face + 1]], edges[t.edge[3 * face.face + 2]]};
+    const auto positions = [&](const std::array<std::uint32_t, 3>& corners) {
+        std::array<dvec3, 3> at;
+        for (std::uint32_t k = 0; k < 3; ++k)
+            at[k] = position_of(view, face.face, out.points[corners[k]], on_sides, out.own);
+        return at;
+    };
     for (std::size_t i = 0; i < face.leaves.size(); ++i) {
-        const LeafPlane plane(view, face.face, face.leaves[i].cell.corners);
+        const LeafPlane plane(face.leaves[i].cell.corners, positions(boundaries[i].corners));
         for (const Region& region : regions[i])
             for (const std::uint32_t p : region.polygon)
                 places[p] = plane.place(out.points[p].at), lines[p] = 0;
@@ -395,14 +403,11 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
             for (const std::uint32_t p : boundaries[i].sides[k])
                 lines[p] = std::uint8_t(lines[p] | (1u << k));
         for (const Region& region : regions[i])
-            for (const uvec3& t : triangulate_polygon(region.polygon, {places, lines})) {
-                std::array<dvec3, 3> corners;
-                for (int k = 0; k < 3; ++k)
-                    corners[std::size_t(k)] = position_of(view, face.face, out.points[t[k]], edges, out.own);
-                const double turned = turned_over(view, corners, region.front);
+            for (const uvec3& triangle : triangulate_polygon(region.polygon, {places, lines})) {
+                const double turned = turned_over(view, positions({triangle.x, triangle.y, triangle.z}), region.front);
                 out.to_split[i] = out.to_split[i] || turned > view.turned_pixels();
                 out.most_turned = std::max(out.most_turned, turned);
-                out.triangles.push_back(t);
+                out.triangles.push_back(triangle);
             }
     }
     return out;

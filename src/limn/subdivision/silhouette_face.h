@@ -27,7 +27,8 @@ struct CutFace {
 bool may_hold_contour(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges);
 
 /// A control face with the contours in it. It is cut in four until closed curves are cut open.
-CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges);
+/// @param may_hold  may_hold_contour of it
+CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoints& edges, bool may_hold);
 
 /// Cuts some leaves in four.
 /// @param which  one flag per leaf

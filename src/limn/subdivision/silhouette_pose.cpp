@@ -1,6 +1,8 @@
 #include "limn/subdivision/silhouette_pose.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "limn/base/parallel.h"
@@ -32,6 +34,24 @@ std::array<dvec3, 6> around_middle(const LoopTopology& t, std::span<const dvec3>
     return {refined[t.end(h)], middle(next), middle(next_half_edge(next)), refined[t.start(h)], middle(over_next), middle(next_half_edge(over_next))};
 }
 
+float rounded_up(double value)
+{
+    constexpr double more = 1 + 1e-6;
+    return float(more * value) + std::numeric_limits<float>::min();
+}
+
+EdgeSpread spread_of(const PatchTable& table, const SilhouettePose& pose, std::uint32_t e)
+{
+    const LoopTopology& t = table.control();
+    const std::uint32_t start = t.start(t.half_edge[e]), end = t.end(t.half_edge[e]);
+    if (table.edges().kind(e) == ControlEdges::Kind::creased)
+        return {start, end, std::numeric_limits<float>::infinity(), 0};
+    const dvec3 &a = pose.corners.vertex_normals[start], &b = pose.corners.vertex_normals[end], &middle = pose.middle_normals[e][0];
+    const dvec3& from = pose.corners.positions[start];
+    return {start, end, rounded_up(std::max({glm::distance(a, b), glm::distance(a, middle), glm::distance(b, middle)})),
+            rounded_up(std::max(glm::distance(from, pose.corners.positions[end]), glm::distance(from, pose.middles[e])))};
+}
+
 } // namespace
 
 PatchPoint on_half_edge(std::uint32_t h, double t)
@@ -45,8 +65,9 @@ PatchPoint on_half_edge(std::uint32_t h, double t)
 SilhouettePose pose_silhouette(const PatchTable& table, std::span<const dvec3> positions)
 {
     const LoopTopology& t = table.control();
-    SilhouettePose pose{LimitShape(table, positions), limit_surface(t, positions), {}, {}};
+    SilhouettePose pose{LimitShape(table, positions), limit_surface(t, positions), {}, {}, {}};
     pose.middles.resize(t.edge_count());
+    pose.spreads.resize(t.edge_count());
     pose.middle_normals.resize(t.edge_count());
     const std::span<const dvec3> refined = pose.shape.refined_positions();
     parallel_each(t.edge_count(), grain, [&](std::size_t e) {
@@ -55,6 +76,7 @@ SilhouettePose pose_silhouette(const PatchTable& table, std::span<const dvec3> p
         const SurfaceSample sample = smooth ? regular_limit(refined[t.vertex_count() + e], around_middle(t, refined, h)) : pose.shape.sample(on_half_edge(h, 0.5));
         pose.middles[e] = sample.position;
         pose.middle_normals[e] = {sample.normal, smooth || over == none ? sample.normal : pose.shape.normal(on_half_edge(over, 0.5))};
+        pose.spreads[e] = spread_of(table, pose, std::uint32_t(e));
     });
     return pose;
 }

@@ -26,18 +26,27 @@ Eye searched_eye(const Camera& camera, const dvec3& centre)
     return {dvec4(camera.eye + share * distance * aside, 1)};
 }
 
+bool may_be_crossed(std::span<const double> heights, double turned, double share)
+{
+    double low = heights[0], high = low;
+    for (const double height : heights.subspan(1))
+        low = std::min(low, height), high = std::max(high, height);
+    const double margin = share * std::max(turned, high - low);
+    return low < margin && high > -margin;
+}
+
 bool may_be_crossed(std::span<const Facing> places, double share)
 {
-    double apart = 0, low = places[0].height, high = low; // apart: squared
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        low = std::min(low, places[i].height), high = std::max(high, places[i].height);
+    constexpr std::size_t most = 6;
+    double apart = 0, heights[most]; // apart: squared
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        heights[i] = places[i].height;
         for (std::size_t k = 0; k < i; ++k) {
             const dvec3 d = places[i].normal - places[k].normal;
             apart = std::max(apart, glm::dot(d, d));
         }
     }
-    const double turned = share * std::max(std::sqrt(apart), high - low);
-    return low < turned && high > -turned;
+    return may_be_crossed({heights, places.size()}, std::sqrt(apart), share);
 }
 
 double middle_error(const PicturePlane& plane, const dvec3& a, const dvec3& middle, const dvec3& b)

@@ -55,7 +55,10 @@ struct Facing {
 /// Whether a contour may run between some places: they are not all turned to the eye in the same way, or one of them comes as near to being
 /// seen edge-on as they are turned against each other, times `share`. (Half as near would do if normals turned evenly between them. That nothing
 /// is missed with these shares is not proven; ExactSilhouette.MissesNoCrossings compares with a search of every edge.)
+/// @param places  up to six
 bool may_be_crossed(std::span<const Facing> places, double share);
+/// The same. @param heights  Facing::height of the places @param turned  the greatest distance between two of their normals, or more
+bool may_be_crossed(std::span<const double> heights, double turned, double share);
 inline constexpr double share_of_edges = 1, share_of_faces = 0.5;
 
 /// All that the parts of an exact silhouette read.
