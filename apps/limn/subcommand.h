@@ -18,3 +18,4 @@ Subcommand add_man(CLI::App& limn);
 Subcommand add_render(CLI::App& limn);
 Subcommand add_sample(CLI::App& limn);
 Subcommand add_subdivide(CLI::App& limn);
+Subcommand add_terrain(CLI::App& limn);

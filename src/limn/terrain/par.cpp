@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "limn/base/parallel.h"
+#include "limn/formulas/formulas.h"
 
 namespace limn {
 namespace {
@@ -117,6 +118,20 @@ private:
     std::vector<std::uint8_t> edges_;
 };
 
+/// The heights of the ends and of the middle of an edge. Outside the map the nearest sample counts.
+class EdgeHeights {
+public:
+    EdgeHeights(const HeightMap& map, const ivec2& a, const ivec2& b) : a_(height(map, a)), b_(height(map, b)), middle_(height(map, middle(a, b))) {}
+    double chord() const { return 0.5 * (a_ + b_); }
+    double off() const { return middle_ - chord(); } ///< no number where one of the three has no data
+    /// Whether some of the three, but not all, have no data.
+    bool has_gap() const { return std::isnan(off()) && !(std::isnan(a_) && std::isnan(b_) && std::isnan(middle_)); }
+
+private:
+    static double height(const HeightMap& map, const ivec2& p) { return double(map.height(std::min(p.x, map.columns - 1), std::min(p.y, map.rows - 1))); }
+    double a_, b_, middle_;
+};
+
 } // namespace
 
 ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriangle> start, const EdgeTest& test, const TriangleTest& visible,
@@ -147,11 +162,23 @@ ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriang
 EdgeTest middle_height_test(const HeightMap& map, double tolerance)
 {
     return [&map, tolerance](const ivec2& a, const ivec2& b) {
-        const auto height = [&](const ivec2& p) { return double(map.height(std::min(p.x, map.columns - 1), std::min(p.y, map.rows - 1))); };
-        const double low = height(a), high = height(b), between = height(middle(a, b)), off = std::abs(0.5 * (low + high) - between);
-        if (std::isnan(off))
-            return !(std::isnan(low) && std::isnan(high) && std::isnan(between));
-        return off > tolerance;
+        const EdgeHeights heights(map, a, b);
+        return heights.has_gap() || std::abs(heights.off()) > tolerance;
+    };
+}
+
+EdgeTest screen_height_test(const HeightMap& map, const Camera& camera, double pixels, double nearest)
+{
+    const formulas::ErrorCamera axes = {vec3(camera.right()), vec3(camera.above()), vec3(camera.forward()), float(camera.pixels_per_unit(1)), float(nearest),
+                                        camera.orthographic ? 1.0f : 0.0f};
+    return [&map, axes, eye = camera.eye, pixels](const ivec2& a, const ivec2& b) {
+        const EdgeHeights heights(map, a, b);
+        if (heights.has_gap())
+            return true;
+        const ivec2 p = middle(a, b);
+        const vec3 place(dvec3(p.x * map.spacing.x, (map.rows - 1 - p.y) * map.spacing.y, heights.chord()) - eye);
+        const float off = float(heights.off());
+        return double(std::max(formulas::height_error_exact(axes, place, off), formulas::height_error_any_way(axes, place, off))) > pixels;
     };
 }
 

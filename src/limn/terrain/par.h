@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "limn/camera/camera.h"
 #include "limn/terrain/height_map.h"
 #include "limn/terrain/lattice.h"
 
@@ -38,5 +39,9 @@ ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriang
 /// Outside the map the nearest sample counts. An edge is too far off where some but not all of its three heights are known.
 /// @param map  has to outlive the test
 EdgeTest middle_height_test(const HeightMap& map, double tolerance);
+
+/// The same in the picture: the middle is more than `pixels` from where the height map has it, as the camera sees both, or as it would see them
+/// from the side where it looks down (the terrain specification, 2.2). What is nearer to the eye than `nearest` metres of depth is too far off.
+EdgeTest screen_height_test(const HeightMap& map, const Camera& camera, double pixels, double nearest = 0.01);
 
 } // namespace limn

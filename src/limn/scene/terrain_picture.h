@@ -1,0 +1,36 @@
+#pragma once
+
+#include "limn/base/image.h"
+#include "limn/base/options.h"
+#include "limn/camera/camera.h"
+#include "limn/geometry/mesh.h"
+#include "limn/terrain/height_map.h"
+
+namespace limn {
+
+/// How a picture of a terrain is coloured.
+struct TerrainPictureOptions {
+    enum class Colours {
+        tint, ///< by height: green lowlands, brown slopes, white summits
+        plain ///< one light grey
+    } colours = Colours::tint;
+    double sun_azimuth = 315;  ///< degrees from north, clockwise, where the light comes from
+    double sun_height = 45;    ///< degrees above the horizon, 0 to 90
+    int samples = 3;           ///< rays along each side of a pixel, 1 to 16
+    vec3 background = vec3(1); ///< encoded (sRGB)
+};
+
+/// The options as data: colours, sun and samples.
+const OptionTable<TerrainPictureOptions>& terrain_picture_option_table();
+
+/// A shaded picture, RGB, of the camera's size: the mesh as it is, with the light of the map's own slopes (central differences of the samples,
+/// interpolated between them), so that triangles do not show. Multi-threaded; same bytes for any number of threads.
+/// @param mesh  over the map, as terrain_mesh() makes it
+/// @throws Error::Input for a number out of its range, Error::Device when Embree cannot build the scene
+Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options = {});
+
+/// The upward unit normal of the map at a place in its own coordinates, which is moved onto the map where it is outside.
+/// Straight up where nothing around has data.
+dvec3 terrain_normal(const HeightMap& map, const dvec2& place);
+
+} // namespace limn
