@@ -84,3 +84,6 @@ if command -v blender >/dev/null; then
         "$models/mug-map.obj,$models/mug-map.png,tangent,$models/in-blender-1.png" "$models/mug-limit.obj,,,$models/in-blender-2.png" >/dev/null
     montage "$models"/in-blender-{0,1,2}.png -tile 3x -geometry +2+2 docs/images/normal-map-in-blender.png
 fi
+
+build/limn sample terrain --size 513 --seed 3 --quiet -o "$models/terrain.tif"
+build/limn terrain "$models/terrain.tif" --quiet --size 960x540 -o docs/images/terrain.png

@@ -160,7 +160,7 @@ void add_search(const SilhouetteBench& bench, Tables& tables)
     sizes.push_back(10 * sizes.back());
     for (const std::size_t size : sizes)
         add_search_of(bench.ladder, size, bench.views, tables.search);
-    for (const std::string& name : bench.models) // hardly an edge of them is regular
+    for (const std::string& name : bench.models)
         add_search_of(name, 0, bench.views, tables.search);
     const SilhouetteSubject subject(silhouette_model(bench.ladder, bench.sizes.back()));
     const std::vector<Camera> cameras = silhouette_views(subject.bounds(), bench.views, outline_pixels);
@@ -206,7 +206,7 @@ std::string text_of(const SilhouetteBench& bench, const Tables& tables, const st
         "levels: `LoopLevels`, limit positions and normals of the last level. *OSD level 3*: {}. Exact mode and level 3 {}.\n\n{}\n"
         "A mesh that stays as it is before a moving eye: search, curves, triangles, upload and draw; for uniform levels the draw alone:\n\n{}\n"
         "Where the time of a frame of the moving mesh goes, milliseconds:\n\n{}\n"
-        "The search for crossings along all edges, of meshes that are regular but for 12 vertices and of those above, which are irregular nearly everywhere or have creases:\n\n{}\n"
+        "The search for crossings along all edges, of meshes that are regular but for 12 vertices and of those above, half of whose edges or more are near irregular vertices or creases:\n\n{}\n"
         "The seed's search of {} faces by its depth, where bisection asks for its points and where all of them are computed as the seed does:\n\n{}\n"
         "Whole silhouettes of that mesh by the pieces of a curve in a face:\n\n{}\n"
         "The parallel Euclidean distance transform, passes in which each pixel hears from 8 neighbours; beside it the processor's exact one without passes:\n\n{}",

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <map>
+#include <algorithm>
+#include <array>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "limn/terrain/height_map.h"
 #include "limn/terrain/lattice.h"
@@ -40,16 +42,26 @@ inline HeightMap rough_terrain(int columns, int rows, unsigned seed = 1)
     });
 }
 
-/// How many triangles each edge between lattice points belongs to.
-template <class Triangles, class Corners> std::map<std::pair<std::pair<int, int>, std::pair<int, int>>, int> edge_uses(const Triangles& triangles, const Corners& corners)
+using GridEdge = std::pair<std::pair<int, int>, std::pair<int, int>>;
+
+/// How many triangles each edge between lattice points belongs to, edges in order.
+template <class Triangles, class Corners> std::vector<std::pair<GridEdge, int>> edge_uses(const Triangles& triangles, const Corners& corners)
 {
-    std::map<std::pair<std::pair<int, int>, std::pair<int, int>>, int> uses;
+    std::vector<GridEdge> edges;
+    edges.reserve(3 * triangles.size());
     for (const auto& t : triangles) {
         const std::array<ivec2, 3> p = corners(t);
         for (std::size_t i = 0; i < 3; ++i) {
             std::pair<int, int> a{p[i].x, p[i].y}, b{p[(i + 1) % 3].x, p[(i + 1) % 3].y};
-            ++uses[a < b ? std::pair(a, b) : std::pair(b, a)];
+            edges.push_back(a < b ? std::pair(a, b) : std::pair(b, a));
         }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::pair<GridEdge, int>> uses;
+    for (const GridEdge& edge : edges) {
+        if (uses.empty() || uses.back().first != edge)
+            uses.emplace_back(edge, 0);
+        ++uses.back().second;
     }
     return uses;
 }

@@ -28,7 +28,7 @@ enum class TerrainMethod {
 
 struct TerrainBuildOptions {
     TerrainMethod method = TerrainMethod::strict;
-    std::optional<TerrainBound> bound; ///< none: a 500th of the relief
+    std::optional<TerrainBound> bound = {}; ///< none: a 500th of the relief
     std::size_t triangles = 0;         ///< strict only: the smallest bound in metres with at most so many; 0: `bound`
     double max_edge = 0;               ///< metres, in the plane: no hypotenuse (delaunay: edge) is longer, as far as samples allow; 0: any length
     double exaggerate = 1;             ///< heights are multiplied by it; bounds and what is measured stay true metres
