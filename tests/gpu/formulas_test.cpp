@@ -65,6 +65,8 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/texture_lines.glsl"
 #include "limn/formulas/crease_outline.glsl"
 #include "limn/formulas/suggestive_line.glsl"
+#include "limn/formulas/terrain_bound.glsl"
+#include "limn/formulas/terrain_error.glsl"
 layout(local_size_x = 64) in;
 struct Point {{ vec4 v; vec4 n; vec4 e1; vec4 e2; vec4 derivative; vec4 k; }};
 layout(std430, binding = 0) readonly buffer Points {{ Point points[]; }};
@@ -367,6 +369,24 @@ const Formula formulas_of_the_library[] = {
      "r[3] = place.x; r[4] = place.y; r[5] = side_tone(n, normalize(v), 0.3f, 0.0f);",
      maps},
     {"toon_tone", "float lit = (floor(p.k.z * 20.0f) + 0.5f) / 20.0f; r[0] = toon_tone(lit, 0.3f, 2.0f); r[1] = toon_tone(lit, 0.31f, 5.0f);", toon},
+    {"terrain error",
+     "ErrorCamera c = ErrorCamera(p.e1.xyz, p.e2.xyz, n, 1000.0f, 0.01f, 0.0f); vec3 at = v + 6.0f * n;"
+     "r[0] = height_error_exact(c, at, 0.5f * p.k.z); r[1] = height_error_any_way(c, at, 0.5f * p.k.z); r[2] = height_error_exact(c, -at, p.k.z);",
+     [](const Point& p, const RadialTerms&) -> Values {
+         const ErrorCamera c = {vec3(p.e1), vec3(p.e2), vec3(p.n), 1000.0f, 0.01f, 0.0f};
+         const vec3 at = vec3(p.v) + 6.0f * vec3(p.n);
+         const float exact = height_error_exact(c, at, 0.5f * p.k.z), z = dot(c.forward, at), far_z = z + 0.5f * p.k.z * c.forward.z;
+         return {Value{exact, 500.0f * p.k.z * 4 * length(at) / (z * far_z)}, {height_error_any_way(c, at, 0.5f * p.k.z), 1000.0f}, {height_error_exact(c, -at, p.k.z), NO_BOUND}};
+     }},
+    {"terrain bound",
+     "BoundCamera c = BoundCamera(p.e1.xyz, p.e2.xyz, n, 1000.0f, 0.01f, 0.0f); vec3 at = v + 6.0f * n; vec3 reach = 0.2f * vec3(p.k.z, p.k.w, 0.5f);"
+     "r[0] = height_error_bound(c, at, reach, p.k.w, 1e-4f); r[1] = box_may_be_seen(c, vec2(0.4f, 0.3f), at, reach, 1e-4f) ? 1.0f : 0.0f;",
+     [](const Point& p, const RadialTerms&) -> Values {
+         const BoundCamera c = {dvec3(p.e1), dvec3(p.e2), dvec3(p.n), 1000.0, double(0.01f), 0.0};
+         const vec3 at = vec3(p.v) + 6.0f * vec3(p.n), reach = 0.2f * vec3(p.k.z, p.k.w, 0.5f);
+         const float bound = float(height_error_bound(c, dvec3(at), dvec3(reach), double(p.k.w), double(1e-4f)));
+         return {Value{bound, 10 * bound + 1}, {box_may_be_seen(c, dvec2(double(0.4f), double(0.3f)), dvec3(at), dvec3(reach), double(1e-4f)) ? 1.0f : 0.0f, 1}};
+     }},
 };
 
 class GpuFormulas : public Gpu {};
