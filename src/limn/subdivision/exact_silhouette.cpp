@@ -5,6 +5,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/subdivision/silhouette_face.h"
+#include "limn/subdivision/turned_triangle.h"
 
 namespace limn {
 namespace {
@@ -29,7 +30,7 @@ bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front
 {
     const uvec3& t = view.topology().triangles[face];
     const std::vector<dvec3>& p = view.pose.corners.positions;
-    if (turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) > view.turned_pixels())
+    if (turned_beyond(view, {face, {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {p[t.x], p[t.y], p[t.z]}, {}}, front) > view.pixels)
         return false;
     for (int k = 0; k < 3 && front && view.surface_pixels > 0; ++k) {
         const dvec3& middle = view.pose.middles[view.topology().edge[3 * face + std::uint32_t(k)]];

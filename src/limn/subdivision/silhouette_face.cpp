@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "limn/subdivision/polygon_triangles.h"
+#include "limn/subdivision/turned_triangle.h"
 
 namespace limn {
 namespace {
@@ -276,6 +278,17 @@ dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoin
     }
 }
 
+std::pair<std::uint32_t, std::uint32_t> segment(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::set<std::pair<std::uint32_t, std::uint32_t>> segments_of(const std::vector<std::vector<std::uint32_t>>& curves)
+{
+    std::set<std::pair<std::uint32_t, std::uint32_t>> segments;
+    for (const std::vector<std::uint32_t>& curve : curves)
+        for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+            segments.insert(segment(curve[i], curve[i + 1]));
+    return segments;
+}
+
 /// Whether a leaf that faces the eye somewhere is further from the surface than it may be.
 bool is_too_flat(const SilhouetteView& view, std::uint32_t face, const FaceLeaf& leaf)
 {
@@ -354,18 +367,6 @@ std::vector<SidePoint> side_points(const CutFace& face)
     return points;
 }
 
-double turned_over(const SilhouetteView& view, const std::array<dvec3, 3>& corners, bool front)
-{
-    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    if ((glm::dot(view.eye.from(corners[0]), normal) >= 0) == front)
-        return 0;
-    const dvec2 p[3] = {view.plane.pixel(corners[0]), view.plane.pixel(corners[1]), view.plane.pixel(corners[2])};
-    if (!view.plane.is_in_picture(p))
-        return 0;
-    const double longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
-    return longest > 0 ? std::abs(cross(p[1] - p[0], p[2] - p[0])) / longest : 0;
-}
-
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges)
 {
     PointSet set = boundary_points(view, face, edges);
@@ -384,6 +385,7 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
         }
     for (const FaceLeaf& leaf : face.leaves)
         out.to_split.push_back(is_too_flat(view, face.face, leaf));
+    const std::set<std::pair<std::uint32_t, std::uint32_t>> along_curves = segments_of(out.curves);
     std::vector<dvec2> places(out.points.size());
     std::vector<std::uint8_t> lines(out.points.size());
     for (std::size_t i = 0; i < face.leaves.size(); ++i) {
@@ -396,11 +398,15 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
                 lines[p] = std::uint8_t(lines[p] | (1u << k));
         for (const Region& region : regions[i])
             for (const uvec3& t : triangulate_polygon(region.polygon, {places, lines})) {
-                std::array<dvec3, 3> corners;
-                for (int k = 0; k < 3; ++k)
-                    corners[std::size_t(k)] = position_of(view, face.face, out.points[t[k]], edges, out.own);
-                const double turned = turned_over(view, corners, region.front);
-                out.to_split[i] = out.to_split[i] || turned > view.turned_pixels();
+                DrawnTriangle drawn{face.face, {}, {}, {}};
+                for (int k = 0; k < 3; ++k) {
+                    const FacePoint& point = out.points[t[k]];
+                    drawn.at[std::size_t(k)] = point.at;
+                    drawn.positions[std::size_t(k)] = position_of(view, face.face, point, edges, out.own);
+                    drawn.on_contour[std::size_t(k)] = along_curves.contains(segment(t[k], t[(k + 1) % 3]));
+                }
+                const double turned = turned_beyond(view, drawn, region.front);
+                out.to_split[i] = out.to_split[i] || turned > view.pixels;
                 out.most_turned = std::max(out.most_turned, turned);
                 out.triangles.push_back(t);
             }

@@ -54,14 +54,11 @@ struct FaceTriangles {
     std::vector<SurfaceSample> own;
     std::vector<uvec3> triangles;     ///< of points
     std::vector<std::vector<std::uint32_t>> curves;
-    /// Per leaf: whether a triangle is turned over in the picture, against what the contour says, by more than SilhouetteView::turned_pixels, or is
-    /// further from the surface than SilhouetteView::surface_pixels.
+    /// Per leaf: whether a triangle shows another side than the contour says and may stick out by more than SilhouetteView::pixels, or is further
+    /// from the surface than SilhouetteView::surface_pixels.
     std::vector<bool> to_split;
-    double most_turned = 0; ///< pixels: the greatest height of triangles that are turned over
+    double most_turned = 0; ///< pixels: as far as triangles that show the wrong side may stick out (turned_beyond)
 };
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges);
-
-/// By how many pixels a triangle is turned over: its least height in the picture where it does not show the side that it should, else 0.
-double turned_over(const SilhouetteView& view, const std::array<dvec3, 3>& corners, bool front);
 
 } // namespace limn

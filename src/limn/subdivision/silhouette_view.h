@@ -67,8 +67,6 @@ struct SilhouetteView {
     int curve_points; ///< parts of each arc; 0: as many as `pixels` asks for
     double surface_pixels; ///< how far the sides of triangles that face the eye may be from the surface; 0: any distance
 
-    /// How far a triangle may be turned over: less, since several beside each other add up.
-    double turned_pixels() const { return 0.5 * pixels; }
     const LoopTopology& topology() const { return pose.shape.table().control(); }
     Facing facing(const dvec3& position, const dvec3& normal) const { return {normal, glm::dot(glm::normalize(eye.from(position)), normal)}; }
     /// At the start of a half-edge, on the side of its face.
