@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "limn/base/parallel.h"
+#include "limn/subdivision/acute_corners.h"
 #include "limn/subdivision/silhouette_face.h"
 #include "limn/subdivision/turned_triangle.h"
 
@@ -30,7 +31,9 @@ bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front
 {
     const uvec3& t = view.topology().triangles[face];
     const std::vector<dvec3>& p = view.pose.corners.positions;
-    if (turned_beyond(view, {face, {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {p[t.x], p[t.y], p[t.z]}, {}}, front) > view.pixels)
+    const DrawnTriangle whole{face, {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {p[t.x], p[t.y], p[t.z]}, {}};
+    const double turned = turned_beyond(view, whole, front);
+    if (turned > 0 && turned > pixels_around(view, whole))
         return false;
     for (int k = 0; k < 3 && front && view.surface_pixels > 0; ++k) {
         const dvec3& middle = view.pose.middles[view.topology().edge[3 * face + std::uint32_t(k)]];
@@ -42,7 +45,7 @@ bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front
 
 class Maker {
 public:
-    Maker(const SilhouetteView& view, int deepest) : view_(view), deepest_(deepest), edges_(cut_edges(view)), faces_(view.topology().triangles.size()) {}
+    Maker(SilhouetteView view, const Camera& camera, int deepest) : camera_(camera), view_(std::move(view)), deepest_(deepest), edges_(cut_edges(view_)), faces_(view_.topology().triangles.size()) {}
 
     void make()
     {
@@ -59,6 +62,17 @@ public:
             changed[f] = 1;
         });
         add_side_points(changed, changed);
+        split_until_good(std::move(changed));
+        if (view_.curve_points == 0)
+            sharpen_corners();
+    }
+    SilhouetteMesh finish() const;
+    ExactSilhouetteReport report() const;
+
+private:
+    /// Triangulates faces, and cuts what is not good enough in four until nothing is left.
+    void split_until_good(std::vector<std::uint8_t> changed)
+    {
         for (;;) {
             parallel_each(faces_.size(), grain, [&](std::size_t f) {
                 if (changed[f])
@@ -72,10 +86,99 @@ public:
             add_side_points(split, changed);
         }
     }
-    SilhouetteMesh finish() const;
-    ExactSilhouetteReport report() const;
-
-private:
+    /// Adds points where outlines cross at acute angles. Once they are nearer, their crossings and angles are better known.
+    void sharpen_corners()
+    {
+        constexpr int most_rounds = 3;
+        const OutlineMask covered = outline_mask(finish().mesh, camera_, 1, MaskFaces::front);
+        std::vector<TightPlace> places;
+        for (int round = 0; round < most_rounds; ++round) {
+            const std::vector<TightPlace> found = acute_corners(covered, outlines(), 1.5 * view_.pixels, 0.05 * view_.pixels);
+            places.insert(places.end(), found.begin(), found.end());
+            view_.tight = LocalTolerance(places);
+            std::vector<std::uint8_t> changed(faces_.size(), 0);
+            if (view_.tight.empty() || !refine_outlines(changed))
+                return;
+            split_until_good(std::move(changed));
+        }
+    }
+    /// @param changed  gains the faces whose points changed. @return whether there are any
+    bool refine_outlines(std::vector<std::uint8_t>& changed)
+    {
+        const LoopTopology& t = view_.topology();
+        parallel_each(faces_.size(), grain, [&](std::size_t f) {
+            const std::uint32_t face = std::uint32_t(f);
+            if (faces_[f].cut)
+                changed[f] = touches_tight_place(face) && refine_arcs(view_, *faces_[f].cut);
+            else if (!is_good_triangle(view_, face, view_.faces_eye(3 * face)))
+                faces_[f].cut = cut_face(view_, face, edges_), changed[f] = 1;
+        });
+        for (std::uint32_t e = 0; e < edges_.size(); ++e)
+            if (is_outline(view_, e, edges_[e]) && refine_edge(view_, e, edges_[e]))
+                for (const std::uint32_t h : {t.half_edge[e], t.twin[t.half_edge[e]]})
+                    if (h != none)
+                        change(h / 3, changed);
+        return std::find(changed.begin(), changed.end(), 1) != changed.end();
+    }
+    bool touches_tight_place(std::uint32_t f) const
+    {
+        const FaceTriangles& made = faces_[f].made;
+        const auto at = [&](std::uint32_t p) { return position_of(view_, f, made.points[p], edges_, made.own); };
+        for (const std::vector<std::uint32_t>& curve : made.curves)
+            for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+                if (view_.pixels_along(at(curve[i]), at(curve[i + 1])) < view_.pixels)
+                    return true;
+        return false;
+    }
+    /// The contour, and the borders and sharp edges that are part of the outline, as they are drawn.
+    std::vector<PictureLine> outlines() const
+    {
+        const LoopTopology& t = view_.topology();
+        std::vector<PictureLine> lines;
+        const bool closed = std::find(t.twin.begin(), t.twin.end(), none) == t.twin.end(); // else a surface may be seen from either side
+        const auto add = [&](const dvec3& a, const dvec3& b, const dvec3& outside) {
+            const std::array<dvec2, 2> pixels = {view_.plane.pixel(a), view_.plane.pixel(b)};
+            if (view_.plane.is_in_picture(pixels))
+                lines.push_back({pixels[0], pixels[1], view_.tight.along(pixels[0], pixels[1], view_.pixels), view_.plane.across(outside)});
+        };
+        for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+            const FaceTriangles& made = faces_[f].made;
+            const auto at = [&](std::uint32_t p) { return position_of(view_, f, made.points[p], edges_, made.own); };
+            for (const std::vector<std::uint32_t>& curve : made.curves)
+                for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+                    add(at(curve[i]), at(curve[i + 1]), closed ? normal_of(f, made, curve[i]) : dvec3(0));
+        }
+        for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+            if (!is_outline(view_, e, edges_[e]))
+                continue;
+            const std::uint32_t h = t.half_edge[e];
+            dvec3 before = view_.pose.corners.positions[t.start(h)];
+            const auto add_to = [&](const dvec3& end) {
+                add(before, end, t.twin[h] == none ? glm::cross(end - before, view_.pose.middle_normals[e][0]) : dvec3(0));
+                before = end;
+            };
+            for (const CutPoint& p : edges_[e])
+                add_to(p.position);
+            add_to(view_.pose.corners.positions[t.end(h)]);
+        }
+        return lines;
+    }
+    dvec3 normal_of(std::uint32_t f, const FaceTriangles& made, std::uint32_t p) const
+    {
+        const FacePoint& point = made.points[p];
+        const std::uint32_t h = 3 * f + point.side;
+        switch (point.of) {
+        case FacePoint::Of::corner: return view_.pose.corners.normals[h];
+        case FacePoint::Of::edge: return edges_[view_.topology().edge[h]][point.index].normals[view_.side_of(h)];
+        default: return made.own[point.index].normal;
+        }
+    }
+    void change(std::uint32_t face, std::vector<std::uint8_t>& changed)
+    {
+        changed[face] = 1;
+        if (!faces_[face].cut)
+            faces_[face].cut = cut_face(view_, face, edges_);
+    }
     /// Cuts the leaves in four that are not good enough. @return whether there were any
     bool split_bad(DrawnFace& face) const
     {
@@ -102,14 +205,12 @@ private:
                     beside.push_back(t.twin[h] / 3);
             }
         }
-        for (const std::uint32_t f : beside) {
-            changed[f] = 1;
-            if (!faces_[f].cut)
-                faces_[f].cut = cut_face(view_, f, edges_);
-        }
+        for (const std::uint32_t f : beside)
+            change(f, changed);
     }
 
-    const SilhouetteView& view_;
+    const Camera& camera_;
+    SilhouetteView view_;
     int deepest_;
     EdgePoints edges_;
     std::vector<DrawnFace> faces_;
@@ -203,9 +304,9 @@ dvec3 middle_of(std::span<const dvec3> positions)
 SilhouetteMesh exact_silhouette(const SilhouettePose& pose, const Camera& camera, const ExactSilhouetteOptions& options, ExactSilhouetteReport* report)
 {
     constexpr double share = 0.4; // of the error: for an arc, and again for triangles that show the wrong side beside it
-    const SilhouetteView view{pose, PicturePlane(camera), searched_eye(camera, middle_of(pose.corners.positions)), share * options.outline_error,
+    SilhouetteView view{pose, PicturePlane(camera), searched_eye(camera, middle_of(pose.corners.positions)), share * options.outline_error,
                               options.curve_points, options.surface_error};
-    Maker maker(view, options.deepest);
+    Maker maker(std::move(view), camera, options.deepest);
     maker.make();
     if (report)
         *report = maker.report();

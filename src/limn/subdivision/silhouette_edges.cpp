@@ -40,9 +40,7 @@ void add_outline_points(const SilhouetteView& view, std::uint32_t edge, const Cu
     const dvec2 pixels[3] = {view.plane.pixel(a.position), view.plane.pixel(middle.position), view.plane.pixel(b.position)};
     if (depth == deepest || !view.plane.is_in_picture(pixels))
         return;
-    const dvec2 chord = pixels[2] - pixels[0], to_middle = pixels[1] - pixels[0];
-    const double square = glm::dot(chord, chord), t = square > 0 ? std::clamp(glm::dot(to_middle, chord) / square, 0.0, 1.0) : 0;
-    if (glm::length(to_middle - t * chord) <= view.pixels)
+    if (distance_to_line(pixels[1], pixels[0], pixels[2]) <= view.pixels_along(a.position, b.position))
         return;
     add_outline_points(view, edge, a, middle, depth + 1, points);
     points.push_back(middle);
@@ -95,6 +93,33 @@ std::vector<CutPoint> cut_edge(const SilhouetteView& view, std::uint32_t edge)
 }
 
 } // namespace
+
+bool is_outline(const SilhouetteView& view, std::uint32_t edge, const std::vector<CutPoint>& points)
+{
+    const LoopTopology& t = view.topology();
+    const std::uint32_t h = t.half_edge[edge], over = t.twin[h];
+    if (over == none)
+        return true;
+    return is_sharp(t, edge)
+           && (view.faces_eye(h) != view.faces_eye(next_half_edge(over))
+               || std::any_of(points.begin(), points.end(), [](const CutPoint& p) { return p.crossing[0] || p.crossing[1]; }));
+}
+
+bool refine_edge(const SilhouetteView& view, std::uint32_t edge, std::vector<CutPoint>& points)
+{
+    const std::size_t before = points.size();
+    std::vector<CutPoint> ends = {make_point(view, edge, 0)}, refined;
+    ends.insert(ends.end(), points.begin(), points.end());
+    ends.push_back(make_point(view, edge, 1));
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        if (i > 0)
+            refined.push_back(ends[i]);
+        if (view.pixels_along(ends[i].position, ends[i + 1].position) < view.pixels)
+            add_outline_points(view, edge, ends[i], ends[i + 1], 0, refined);
+    }
+    points = std::move(refined);
+    return points.size() > before;
+}
 
 EdgePoints cut_edges(const SilhouetteView& view)
 {

@@ -22,6 +22,12 @@ using EdgePoints = std::vector<std::vector<CutPoint>>;
 /// SilhouetteView::pixels. Parallel.
 EdgePoints cut_edges(const SilhouetteView& view);
 
+/// Adds points to an edge that is part of the outline where SilhouetteView::tight asks for them. @return whether there are new ones
+bool refine_edge(const SilhouetteView& view, std::uint32_t edge, std::vector<CutPoint>& points);
+
+/// Whether the eye sees a border or a sharp edge from one side only, somewhere.
+bool is_outline(const SilhouetteView& view, std::uint32_t edge, const std::vector<CutPoint>& points);
+
 /// Adds a point at a parameter where there is none. @return whether it was new
 bool add_edge_point(const SilhouetteView& view, std::uint32_t edge, double t, std::vector<CutPoint>& points);
 

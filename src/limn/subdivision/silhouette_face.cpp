@@ -33,7 +33,9 @@ public:
     {
         if (view_.curve_points > 0)
             return (1 << halvings) < view_.curve_points;
-        return chord_error(view_.plane, sample(a), sample(middle), sample(b)) > view_.pixels;
+        const SurfaceSample from = sample(a), to = sample(b);
+        const double error = chord_error(view_.plane, from, sample(middle), to);
+        return error > view_.pixels || (!view_.tight.empty() && error > view_.pixels_along(from.position, to.position));
     }
 
 private:
@@ -268,16 +270,6 @@ private:
     dvec2 first_ = {1, 0}, second_ = {0, 1};
 };
 
-dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const EdgePoints& edges, const std::vector<SurfaceSample>& own)
-{
-    const LoopTopology& t = view.topology();
-    switch (point.of) {
-    case FacePoint::Of::corner: return view.pose.corners.positions[t.triangles[face][int(point.side)]];
-    case FacePoint::Of::edge: return edges[t.edge[3 * face + point.side]][point.index].position;
-    default: return own[point.index].position;
-    }
-}
-
 std::pair<std::uint32_t, std::uint32_t> segment(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 std::set<std::pair<std::uint32_t, std::uint32_t>> segments_of(const std::vector<std::vector<std::uint32_t>>& curves)
@@ -354,6 +346,22 @@ CutFace split_leaves(const SilhouetteView& view, const CutFace& face, const std:
     return out;
 }
 
+bool refine_arcs(const SilhouetteView& view, CutFace& face)
+{
+    const auto points = [&] {
+        std::size_t count = 0;
+        for (const FaceLeaf& leaf : face.leaves)
+            for (const ContourArc& arc : leaf.arcs)
+                count += arc.size();
+        return count;
+    };
+    const std::size_t before = points();
+    for (FaceLeaf& leaf : face.leaves)
+        if (!leaf.arcs.empty())
+            trace(view, leaf);
+    return points() > before;
+}
+
 std::vector<SidePoint> side_points(const CutFace& face)
 {
     std::vector<SidePoint> points;
@@ -365,6 +373,16 @@ std::vector<SidePoint> side_points(const CutFace& face)
                     points.push_back({side, weights[(side + 1) % 3]});
         }
     return points;
+}
+
+dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const EdgePoints& edges, const std::vector<SurfaceSample>& own)
+{
+    const LoopTopology& t = view.topology();
+    switch (point.of) {
+    case FacePoint::Of::corner: return view.pose.corners.positions[t.triangles[face][int(point.side)]];
+    case FacePoint::Of::edge: return edges[t.edge[3 * face + point.side]][point.index].position;
+    default: return own[point.index].position;
+    }
 }
 
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges)
@@ -406,7 +424,7 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
                     drawn.on_contour[std::size_t(k)] = along_curves.contains(segment(t[k], t[(k + 1) % 3]));
                 }
                 const double turned = turned_beyond(view, drawn, region.front);
-                out.to_split[i] = out.to_split[i] || turned > view.pixels;
+                out.to_split[i] = out.to_split[i] || (turned > 0 && turned > pixels_around(view, drawn));
                 out.most_turned = std::max(out.most_turned, turned);
                 out.triangles.push_back(t);
             }

@@ -33,6 +33,9 @@ CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoint
 /// @param which  one flag per leaf
 CutFace split_leaves(const SilhouetteView& view, const CutFace& face, const std::vector<bool>& which);
 
+/// Follows the arcs in a face again, with more points where SilhouetteView::tight asks for them. @return whether there are new ones
+bool refine_arcs(const SilhouetteView& view, CutFace& face);
+
 /// Where the leaves' corners lie on the sides of the face, between its corners: side and parameter along it.
 struct SidePoint {
     int side;
@@ -59,6 +62,9 @@ struct FaceTriangles {
     std::vector<bool> to_split;
     double most_turned = 0; ///< pixels: as far as triangles that show the wrong side may stick out (turned_beyond)
 };
+/// Of one of a face's points. @param own  the face's own points
+dvec3 position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const EdgePoints& edges, const std::vector<SurfaceSample>& own);
+
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges);
 
 } // namespace limn

@@ -22,4 +22,7 @@ struct DrawnTriangle {
 /// @param front  whether the triangle should face the eye
 double turned_beyond(const SilhouetteView& view, const DrawnTriangle& triangle, bool front);
 
+/// How far the sides of a triangle may be off.
+double pixels_around(const SilhouetteView& view, const DrawnTriangle& triangle);
+
 } // namespace limn
