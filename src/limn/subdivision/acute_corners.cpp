@@ -1,10 +1,19 @@
 #include "limn/subdivision/acute_corners.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "limn/base/parallel.h"
+
 namespace limn {
 namespace {
+
+constexpr std::size_t line_grain = 256;
+
+struct LineBox {
+    dvec2 low, high;
+};
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -68,30 +77,36 @@ std::vector<AcuteCorner> acute_corners(std::vector<PictureLine> lines, double co
     for (const PictureLine& line : lines)
         largest = std::max(largest, line.error);
     std::erase_if(lines, [](const PictureLine& line) { return !(glm::length(direction(line)) > 0); });
-    const auto left = [](const PictureLine& line) { return std::min(line.a.x, line.b.x); };
-    std::sort(lines.begin(), lines.end(), [&](const PictureLine& p, const PictureLine& q) { return left(p) < left(q); });
-    std::vector<AcuteCorner> corners;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const PictureLine& p = lines[i];
-        const double reach = p.error + largest;
-        const double right = std::max(p.a.x, p.b.x) + reach, low = std::min(p.a.y, p.b.y) - reach, high = std::max(p.a.y, p.b.y) + reach;
-        for (std::size_t k = i + 1; k < lines.size() && left(lines[k]) <= right; ++k) {
-            const PictureLine& q = lines[k];
-            if (std::max(q.a.y, q.b.y) < low || std::min(q.a.y, q.b.y) > high || have_common_end(p, q)
-                || glm::dot(p.outside, q.outside) > 0)
-                continue;
-            const double sine = std::abs(cross(direction(p), direction(q))) / (glm::length(direction(p)) * glm::length(direction(q)));
-            const double wanted = std::max(corner * std::sin(0.5 * std::asin(std::min(sine, 1.0))), least), error = std::max(p.error, q.error);
-            if (wanted >= enough * error)
-                continue;
-            std::optional<dvec2> at = crossing(p, q);
-            if (!at)
-                at = approach(p, q, p.error + q.error);
-            if (at)
-                corners.push_back({{*at, std::min(least_radius + 2 * error / sine, most_radius), wanted}, std::min(3 + 1.5 / sine, most_opening)});
+    std::sort(lines.begin(), lines.end(), [](const PictureLine& p, const PictureLine& q) { return std::min(p.a.x, p.b.x) < std::min(q.a.x, q.b.x); });
+    std::vector<LineBox> boxes; // most pairs are told apart by these alone
+    for (const PictureLine& line : lines)
+        boxes.push_back({glm::min(line.a, line.b), glm::max(line.a, line.b)});
+    const auto corner_of = [&](const PictureLine& p, const PictureLine& q) -> std::optional<AcuteCorner> {
+        if (have_common_end(p, q) || glm::dot(p.outside, q.outside) > 0)
+            return std::nullopt;
+        const double sine = std::abs(cross(direction(p), direction(q))) / (glm::length(direction(p)) * glm::length(direction(q)));
+        const double wanted = std::max(corner * std::sin(0.5 * std::asin(std::min(sine, 1.0))), least), error = std::max(p.error, q.error);
+        if (wanted >= enough * error)
+            return std::nullopt;
+        std::optional<dvec2> at = crossing(p, q);
+        if (!at)
+            at = approach(p, q, p.error + q.error);
+        if (!at)
+            return std::nullopt;
+        return AcuteCorner{{*at, std::min(least_radius + 2 * error / sine, most_radius), wanted}, std::min(3 + 1.5 / sine, most_opening)};
+    };
+    return parallel_collect<AcuteCorner>(lines.size(), line_grain, [&](std::size_t begin, std::size_t end, std::vector<AcuteCorner>& out) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double reach = lines[i].error + largest;
+            const dvec2 low = boxes[i].low - reach, high = boxes[i].high + reach;
+            for (std::size_t k = i + 1; k < lines.size() && boxes[k].low.x <= high.x; ++k) {
+                if (boxes[k].high.y < low.y || boxes[k].low.y > high.y)
+                    continue;
+                if (const std::optional<AcuteCorner> found = corner_of(lines[i], lines[k]))
+                    out.push_back(*found);
+            }
         }
-    }
-    return corners;
+    });
 }
 
 std::vector<TightPlace> beside_background(const std::vector<AcuteCorner>& corners, const OutlineMask& covered)

@@ -23,7 +23,7 @@ struct AcuteCorner {
 /// Where pieces of outlines cross at acute angles, or may when they are as far off as they may be, or run beside each other as near as that.
 /// The corner of the gap between two lines that cross at an angle moves by their error over the sine of half the angle, so lines have to be
 /// nearer there for the corner to be as near as is wanted.
-/// Of lines whose surfaces lie on the same side of both there is no gap between, as beside cusps; these do not count.
+/// Of lines whose surfaces lie on the same side of both there is no gap between, as beside cusps; these do not count. Parallel.
 /// @param lines   those that have an end in common are taken to be parts of one curve
 /// @param corner  pixels: how far corners may be off
 /// @param least   pixels: lines need not be nearer than that
