@@ -4,7 +4,9 @@
 #include <array>
 
 #include "limn/base/parallel.h"
+#include "limn/subdivision/acute_corners.h"
 #include "limn/subdivision/silhouette_face.h"
+#include "limn/subdivision/turned_triangle.h"
 
 namespace limn {
 namespace {
@@ -25,19 +27,26 @@ bool has_edge_points(const LoopTopology& t, std::uint32_t face, const EdgePoints
     return edges.has_points(t.edge[3 * face]) || edges.has_points(t.edge[3 * face + 1]) || edges.has_points(t.edge[3 * face + 2]);
 }
 
-/// Whether a face drawn as one triangle shows the side that it should.
-bool is_good_triangle(const SilhouetteView& view, std::uint32_t face, bool front)
+/// A face, drawn as one triangle.
+struct WholeFace {
+    bool is_good = true; ///< whether it shows the side that it should, or nearly so, and is near enough to the surface
+    bool turned = false; ///< whether it sticks out beyond the surface, if by no more than it may
+};
+
+WholeFace whole_face(const SilhouetteView& view, std::uint32_t face, bool front)
 {
     const uvec3& t = view.topology().triangles[face];
     const std::vector<dvec3>& p = view.pose.corners.positions;
-    if (turned_over(view, {p[t.x], p[t.y], p[t.z]}, front) > view.turned_pixels())
-        return false;
+    const DrawnTriangle whole{face, {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}, {p[t.x], p[t.y], p[t.z]}, {}};
+    const double turned = turned_beyond(view, whole, front);
+    if (turned > 0 && turned > pixels_around(view, whole))
+        return {false, true};
     for (int k = 0; k < 3 && front && view.surface_pixels > 0; ++k) {
         const dvec3& middle = view.pose.middles[view.topology().edge[3 * face + std::uint32_t(k)]];
         if (middle_error(view.plane, p[t[k]], middle, p[t[(k + 1) % 3]]) > view.surface_pixels)
-            return false;
+            return {false, turned > 0};
     }
-    return true;
+    return {true, turned > 0};
 }
 
 /// A face that is not known to be drawn as one triangle.
@@ -45,6 +54,7 @@ struct FaceToCut {
     std::uint32_t face;
     bool whole; ///< nothing asks for a cut but a contour
     bool holds; ///< a contour may be in it
+    bool turned; ///< WholeFace::turned
 };
 
 /// How much of a mesh the faces before one have.
@@ -54,49 +64,157 @@ struct MeshCounts {
 
 class Maker {
 public:
-    Maker(const SilhouetteView& view, int deepest) : view_(view), deepest_(deepest), edges_(cut_edges(view)), numbers_(view.topology().triangles.size(), none) {}
+    Maker(SilhouetteView view, const Camera& camera, int deepest) : camera_(camera), view_(std::move(view)), deepest_(deepest), edges_(cut_edges(view_)), numbers_(view_.topology().triangles.size(), none) {}
 
     void make()
     {
         cut_faces();
         add_side_points();
+        split_until_good();
+        if (view_.curve_points == 0)
+            sharpen_corners();
+    }
+    SilhouetteMesh finish() const;
+    ExactSilhouetteReport report() const;
+
+private:
+    /// Triangulates changed faces, and cuts what is not good enough in four until nothing is left.
+    void split_until_good()
+    {
         for (;;) {
             parallel_each(drawn_.size(), cut_grain, [&](std::size_t i) {
                 if (drawn_[i].changed)
                     drawn_[i].made = triangulate_face(view_, drawn_[i].cut, edges_);
             });
             parallel_each(drawn_.size(), cut_grain, [&](std::size_t i) { drawn_[i].changed = drawn_[i].changed && split_bad(drawn_[i]); });
-            if (std::none_of(drawn_.begin(), drawn_.end(), [](const DrawnFace& face) { return face.changed; }))
+            if (!is_any_changed())
                 break;
             add_side_points();
         }
     }
-    SilhouetteMesh finish() const;
-    ExactSilhouetteReport report() const;
-
-private:
     void cut_faces()
     {
         const std::vector<FaceToCut> to_cut = parallel_collect<FaceToCut>(numbers_.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<FaceToCut>& out) {
             for (std::uint32_t face = std::uint32_t(begin); face < end; ++face) {
-                const bool whole = !has_edge_points(view_.topology(), face, edges_) && is_good_triangle(view_, face, view_.faces_eye(3 * face));
+                const WholeFace drawn = whole_face(view_, face, view_.faces_eye(3 * face));
+                const bool whole = !has_edge_points(view_.topology(), face, edges_) && drawn.is_good;
                 const bool holds = may_hold_contour(view_, face, edges_);
-                if (!whole || holds)
-                    out.push_back({face, whole, holds});
+                if (!whole || holds || drawn.turned)
+                    out.push_back({face, whole, holds, drawn.turned});
             }
         });
         drawn_.resize(to_cut.size());
         parallel_each(to_cut.size(), cut_grain, [&](std::size_t i) { drawn_[i].cut = cut_face(view_, to_cut[i].face, edges_, to_cut[i].holds); });
         std::size_t kept = 0;
         for (std::size_t i = 0; i < to_cut.size(); ++i) {
-            if (to_cut[i].whole && is_plain(drawn_[i].cut))
+            if (to_cut[i].whole && is_plain(drawn_[i].cut)) {
+                if (to_cut[i].turned)
+                    turned_.push_back(to_cut[i].face);
                 continue;
+            }
             numbers_[to_cut[i].face] = std::uint32_t(kept);
             if (kept != i)
                 drawn_[kept] = std::move(drawn_[i]);
             ++kept;
         }
         drawn_.resize(kept);
+    }
+    /// Adds points where outlines cross at acute angles. Once they are nearer, their crossings and angles are better known.
+    void sharpen_corners()
+    {
+        constexpr int most_rounds = 3;
+        constexpr double corner_share = 1.5, least_share = 0.05; // of what lines may be off elsewhere
+        const std::vector<std::uint32_t> on_outline = outline_edges(view_, edges_);
+        OutlineMask covered;
+        std::vector<TightPlace> places;
+        for (int round = 0; round < most_rounds; ++round) {
+            const std::vector<AcuteCorner> corners = acute_corners(outlines(on_outline), corner_share * view_.pixels, least_share * view_.pixels);
+            if (corners.empty())
+                return;
+            if (covered.bits.empty())
+                covered = outline_mask(finish().mesh, camera_, 1, MaskFaces::front);
+            const std::vector<TightPlace> found = beside_background(corners, covered);
+            places.insert(places.end(), found.begin(), found.end());
+            view_.tight = LocalTolerance(places);
+            if (found.empty() || !refine_outlines(on_outline))
+                return;
+            split_until_good();
+        }
+    }
+    /// Adds points where SilhouetteView::tight asks for them. @param on_outline  outline_edges @return whether faces changed
+    bool refine_outlines(const std::vector<std::uint32_t>& on_outline)
+    {
+        parallel_each(drawn_.size(), cut_grain, [&](std::size_t i) { drawn_[i].changed = touches_tight_place(drawn_[i]) && refine_arcs(view_, drawn_[i].cut); });
+        for (const std::uint32_t f : turned_)
+            if (numbers_[f] == none && !whole_face(view_, f, view_.faces_eye(3 * f)).is_good)
+                change(f);
+        const LoopTopology& t = view_.topology();
+        for (const std::uint32_t e : refine_edges(view_, on_outline, edges_))
+            for (const std::uint32_t h : {t.half_edge[e], t.twin[t.half_edge[e]]})
+                if (h != none)
+                    change(h / 3);
+        return is_any_changed();
+    }
+    bool touches_tight_place(const DrawnFace& face) const
+    {
+        const FaceTriangles& made = face.made;
+        if (made.curves.empty())
+            return false;
+        const FaceEdges on_sides = face_edges(view_.topology(), face.cut.face, edges_);
+        const auto at = [&](std::uint32_t p) { return position_of(view_, face.cut.face, made.points[p], on_sides, made.own); };
+        for (const std::vector<std::uint32_t>& curve : made.curves)
+            for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+                if (view_.pixels_along(at(curve[i]), at(curve[i + 1])) < view_.pixels)
+                    return true;
+        return false;
+    }
+    bool is_any_changed() const
+    {
+        return std::any_of(drawn_.begin(), drawn_.end(), [](const DrawnFace& face) { return face.changed; });
+    }
+    /// The contour, and the borders and sharp edges that are part of the outline, as they are drawn. @param on_outline  outline_edges
+    std::vector<PictureLine> outlines(const std::vector<std::uint32_t>& on_outline) const
+    {
+        const LoopTopology& t = view_.topology();
+        std::vector<PictureLine> lines;
+        const bool closed = std::none_of(on_outline.begin(), on_outline.end(), [&](std::uint32_t e) { return t.is_border(e); }); // else a surface may be seen from either side
+        const auto add = [&](const dvec3& a, const dvec3& b, const dvec3& outside) {
+            const std::array<dvec2, 2> pixels = {view_.plane.pixel(a), view_.plane.pixel(b)};
+            if (view_.plane.is_in_picture(pixels))
+                lines.push_back({pixels[0], pixels[1], view_.tight.along(pixels[0], pixels[1], view_.pixels), view_.plane.across(outside)});
+        };
+        for (const DrawnFace& face : drawn_) {
+            const std::uint32_t f = face.cut.face;
+            const FaceTriangles& made = face.made;
+            if (made.curves.empty())
+                continue;
+            const FaceEdges on_sides = face_edges(t, f, edges_);
+            const auto at = [&](std::uint32_t p) { return position_of(view_, f, made.points[p], on_sides, made.own); };
+            for (const std::vector<std::uint32_t>& curve : made.curves)
+                for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+                    add(at(curve[i]), at(curve[i + 1]), closed ? normal_of(view_, f, made.points[curve[i]], on_sides, made.own) : dvec3(0));
+        }
+        for (const std::uint32_t e : on_outline) {
+            const std::uint32_t h = t.half_edge[e];
+            dvec3 before = view_.pose.corners.positions[t.start(h)];
+            const auto add_to = [&](const dvec3& end) {
+                add(before, end, t.twin[h] == none ? glm::cross(end - before, view_.pose.middle_normals[e][0]) : dvec3(0));
+                before = end;
+            };
+            for (const CutPoint& p : edges_[e])
+                add_to(p.position);
+            add_to(view_.pose.corners.positions[t.end(h)]);
+        }
+        return lines;
+    }
+    /// Has a face triangulated again, or cut if it is not.
+    void change(std::uint32_t f)
+    {
+        if (numbers_[f] == none) {
+            numbers_[f] = std::uint32_t(drawn_.size());
+            drawn_.emplace_back().cut = cut_face(view_, f, edges_, may_hold_contour(view_, f, edges_));
+        }
+        drawn_[numbers_[f]].changed = true;
     }
     /// Cuts the leaves in four that are not good enough. @return whether there were any
     bool split_bad(DrawnFace& face) const
@@ -129,13 +247,8 @@ private:
             }
         }
         add_edge_points(view_, std::move(places), edges_);
-        for (const std::uint32_t f : beside) {
-            if (numbers_[f] == none) {
-                numbers_[f] = std::uint32_t(drawn_.size());
-                drawn_.emplace_back().cut = cut_face(view_, f, edges_, may_hold_contour(view_, f, edges_));
-            }
-            drawn_[numbers_[f]].changed = true;
-        }
+        for (const std::uint32_t f : beside)
+            change(f);
     }
     std::vector<MeshCounts> counts() const
     {
@@ -159,11 +272,13 @@ private:
         out.parameters[corner] = at;
     }
 
-    const SilhouetteView& view_;
+    const Camera& camera_;
+    SilhouetteView view_;
     int deepest_;
     EdgePoints edges_;
     std::vector<std::uint32_t> numbers_; ///< per face: its number among those drawn as more than one triangle, or `none`
     std::vector<DrawnFace> drawn_;
+    std::vector<std::uint32_t> turned_; ///< faces drawn as one triangle that shows the wrong side, by less than it may
 };
 
 /// Vertices: the control mesh's, those on edges, then each face's own.
@@ -207,12 +322,10 @@ void Maker::fill_cut(std::uint32_t f, const MeshCounts& at, SilhouetteMesh& out)
     const std::size_t first_on_edges = view_.pose.corners.positions.size(), first_own = first_on_edges + edges_.all().size() + at.own;
     for (std::size_t i = 0; i < made.own.size(); ++i)
         out.mesh.positions[first_own + i] = made.own[i].position;
-    std::array<std::span<const CutPoint>, 3> on_sides;
+    const FaceEdges on_sides = face_edges(t, f, edges_);
     std::array<std::size_t, 3> first_on_side;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-        on_sides[k] = edges_[t.edge[3 * f + k]];
+    for (std::uint32_t k = 0; k < 3; ++k)
         first_on_side[k] = on_sides[k].empty() ? 0 : first_on_edges + edges_.number(on_sides[k]);
-    }
     const auto vertex = [&](std::uint32_t p) {
         const FacePoint& point = made.points[p];
         return point.of == FacePoint::Of::corner ? t.triangles[f][int(point.side)]
@@ -226,12 +339,7 @@ void Maker::fill_cut(std::uint32_t f, const MeshCounts& at, SilhouetteMesh& out)
         out.faces[number] = f;
         for (int k = 0; k < 3; ++k) {
             const FacePoint& point = made.points[triangle[k]];
-            const std::uint32_t h = 3 * f + point.side;
-            fill_corner(f,
-                        point.of == FacePoint::Of::corner ? view_.pose.corners.normals[h]
-                        : point.of == FacePoint::Of::edge ? on_sides[point.side][point.index].normals[view_.side_of(h)]
-                                                          : made.own[point.index].normal,
-                        point.at, 3 * number + std::size_t(k), out);
+            fill_corner(f, normal_of(view_, f, point, on_sides, made.own), point.at, 3 * number + std::size_t(k), out);
         }
     }
     for (std::size_t i = 0; i < made.curves.size(); ++i) {
@@ -274,9 +382,9 @@ dvec3 middle_of(std::span<const dvec3> positions)
 SilhouetteMesh exact_silhouette(const SilhouettePose& pose, const Camera& camera, const ExactSilhouetteOptions& options, ExactSilhouetteReport* report)
 {
     constexpr double share = 0.4; // of the error: for an arc, and again for triangles that show the wrong side beside it
-    const SilhouetteView view{pose, PicturePlane(camera), searched_eye(camera, middle_of(pose.corners.positions)), share * options.outline_error,
+    SilhouetteView view{pose, PicturePlane(camera), searched_eye(camera, middle_of(pose.corners.positions)), share * options.outline_error,
                               options.curve_points, options.surface_error};
-    Maker maker(view, options.deepest);
+    Maker maker(std::move(view), camera, options.deepest);
     maker.make();
     if (report)
         *report = maker.report();

@@ -20,7 +20,7 @@ struct ExactSilhouetteReport {
     std::size_t even_edges = 0;     ///< of those, crossed an even number of times
     std::size_t curves = 0;         ///< pieces of contour
     std::size_t cut_faces = 0;      ///< control faces that are not drawn as one triangle
-    double turned_over = 0;         ///< pixels: the greatest height of a triangle that shows the wrong side
+    double turned_over = 0;         ///< pixels: as far as triangles that show the wrong side may stick out beyond the surface
 };
 
 /// A mesh for one picture: the control mesh with its corners on the limit surface, but cut along the contour of the limit surface, with as many

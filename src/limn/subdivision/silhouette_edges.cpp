@@ -68,25 +68,40 @@ void add_outline_points(const SilhouetteView& view, std::uint32_t edge, const Cu
     const dvec2 pixels[3] = {view.plane.pixel(a.position), view.plane.pixel(middle.position), view.plane.pixel(b.position)};
     if (depth == deepest || !view.plane.is_in_picture(pixels))
         return;
-    const dvec2 chord = pixels[2] - pixels[0], to_middle = pixels[1] - pixels[0];
-    const double square = glm::dot(chord, chord), t = square > 0 ? std::clamp(glm::dot(to_middle, chord) / square, 0.0, 1.0) : 0;
-    if (glm::length(to_middle - t * chord) <= view.pixels)
+    if (distance_to_line(pixels[1], pixels[0], pixels[2]) <= view.pixels_along(a.position, b.position))
         return;
     add_outline_points(view, edge, a, middle, depth + 1, points);
     points.push_back(middle);
     add_outline_points(view, edge, middle, b, depth + 1, points);
 }
 
+/// Appends the points that an edge has to get where SilhouetteView::tight asks for them.
+void append_tight_points(const SilhouetteView& view, std::uint32_t edge, std::span<const CutPoint> points, std::vector<CutPoint>& out)
+{
+    const LoopTopology& t = view.topology();
+    const std::uint32_t h = t.half_edge[edge];
+    const auto add = [&](const CutPoint& a, const CutPoint& b) {
+        if (view.pixels_along(a.position, b.position) < view.pixels)
+            add_outline_points(view, edge, a, b, 0, out);
+    };
+    CutPoint before{0, edge, {false, false}, view.pose.corners.positions[t.start(h)], {}};
+    for (const CutPoint& point : points) {
+        add(before, point);
+        before = point;
+    }
+    add(before, {1, edge, {false, false}, view.pose.corners.positions[t.end(h)], {}});
+}
+
 using Crossings = std::vector<EdgeCrossing>;
 
-/// Whether the eye sees a border or a sharp edge from one side only, somewhere.
-bool is_outline(const SilhouetteView& view, std::uint32_t edge, const Crossings (&crossings)[2])
+/// Whether the eye sees a border or a sharp edge from one side only, somewhere. @param crossed  by a contour
+bool is_outline(const SilhouetteView& view, std::uint32_t edge, bool crossed)
 {
     const LoopTopology& t = view.topology();
     const std::uint32_t h = t.half_edge[edge], over = t.twin[h];
     if (over == none)
         return true;
-    return is_sharp(t, edge) && (!crossings[0].empty() || !crossings[1].empty() || view.faces_eye(h) != view.faces_eye(next_half_edge(over)));
+    return is_sharp(t, edge) && (crossed || view.faces_eye(h) != view.faces_eye(next_half_edge(over)));
 }
 
 /// Points that are as good as the same become one.
@@ -182,7 +197,7 @@ private:
         const bool two_sides = over != none && is_sharp(t, edge);
         const Crossings crossings[2] = {crossings_of(h), two_sides ? crossings_of(over) : Crossings()};
         std::vector<CutPoint> points;
-        if (is_outline(view_, edge, crossings))
+        if (is_outline(view_, edge, !crossings[0].empty() || !crossings[1].empty()))
             add_outline_points(view_, edge, make_point(view_, edge, 0), make_point(view_, edge, 1), 0, points);
         for (std::size_t side = 0; side < 2; ++side)
             for (const EdgeCrossing& crossing : crossings[side]) {
@@ -224,6 +239,32 @@ void add_edge_points(const SilhouetteView& view, std::vector<EdgePlace> places, 
     std::vector<CutPoint> points(places.size());
     parallel_each(points.size(), point_grain, [&](std::size_t i) { points[i] = make_point(view, places[i].edge, places[i].t); });
     edges.add(points);
+}
+
+std::vector<std::uint32_t> outline_edges(const SilhouetteView& view, const EdgePoints& edges)
+{
+    const LoopTopology& t = view.topology();
+    const auto is_crossed = [](std::span<const CutPoint> points) { return std::any_of(points.begin(), points.end(), [](const CutPoint& p) { return p.crossing[0] || p.crossing[1]; }); };
+    return parallel_collect<std::uint32_t>(edges.size(), test_grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) {
+        for (std::uint32_t e = std::uint32_t(begin); e < end; ++e)
+            if (is_sharp(t, e) && is_outline(view, e, is_crossed(edges[e]))) // borders are sharp
+                out.push_back(e);
+    });
+}
+
+std::vector<std::uint32_t> refine_edges(const SilhouetteView& view, std::span<const std::uint32_t> which, EdgePoints& edges)
+{
+    const std::vector<CutPoint> points = parallel_collect<CutPoint>(which.size(), point_grain, [&](std::size_t begin, std::size_t end, std::vector<CutPoint>& out) {
+        for (std::size_t i = begin; i < end; ++i)
+            append_tight_points(view, which[i], edges[which[i]], out);
+    });
+    if (!points.empty())
+        edges.add(points);
+    std::vector<std::uint32_t> refined;
+    for (const CutPoint& point : points)
+        if (refined.empty() || refined.back() != point.edge)
+            refined.push_back(point.edge);
+    return refined;
 }
 
 } // namespace limn

@@ -20,4 +20,12 @@ struct EdgePlace {
 /// @param places  in any order, each as often as it likes
 void add_edge_points(const SilhouetteView& view, std::vector<EdgePlace> places, EdgePoints& edges);
 
+/// The borders, and the sharp edges that the eye sees from one side only, somewhere; ascending. Parallel.
+std::vector<std::uint32_t> outline_edges(const SilhouetteView& view, const EdgePoints& edges);
+
+/// Adds points to edges where SilhouetteView::tight asks for them. Parallel.
+/// @param which  outline_edges
+/// @return those that have new points, ascending
+std::vector<std::uint32_t> refine_edges(const SilhouetteView& view, std::span<const std::uint32_t> which, EdgePoints& edges);
+
 } // namespace limn

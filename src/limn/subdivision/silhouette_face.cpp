@@ -5,6 +5,7 @@
 #include <map>
 
 #include "limn/subdivision/polygon_triangles.h"
+#include "limn/subdivision/turned_triangle.h"
 
 namespace limn {
 namespace {
@@ -31,7 +32,9 @@ public:
     {
         if (view_.curve_points > 0)
             return (1 << halvings) < view_.curve_points;
-        return chord_error(view_.plane, sample(a), sample(middle), sample(b)) > view_.pixels;
+        const SurfaceSample from = sample(a), to = sample(b);
+        const double error = chord_error(view_.plane, from, sample(middle), to);
+        return error > view_.pixels || (!view_.tight.empty() && error > view_.pixels_along(from.position, to.position));
     }
 
 private:
@@ -264,16 +267,19 @@ private:
     dvec2 first_ = {1, 0}, second_ = {0, 1};
 };
 
-/// The points of a face's edges.
-using FaceEdges = std::array<std::span<const CutPoint>, 3>;
+using Segment = std::pair<std::uint32_t, std::uint32_t>;
 
-const dvec3& position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const FaceEdges& on_sides, const std::vector<SurfaceSample>& own)
+Segment segment(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// In order.
+std::vector<Segment> segments_of(const std::vector<std::vector<std::uint32_t>>& curves)
 {
-    switch (point.of) {
-    case FacePoint::Of::corner: return view.pose.corners.positions[view.topology().triangles[face][int(point.side)]];
-    case FacePoint::Of::edge: return on_sides[point.side][point.index].position;
-    default: return own[point.index].position;
-    }
+    std::vector<Segment> segments;
+    for (const std::vector<std::uint32_t>& curve : curves)
+        for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+            segments.push_back(segment(curve[i], curve[i + 1]));
+    std::sort(segments.begin(), segments.end());
+    return segments;
 }
 
 /// Whether a leaf that faces the eye somewhere is further from the surface than it may be.
@@ -341,6 +347,22 @@ CutFace split_leaves(const SilhouetteView& view, const CutFace& face, const std:
     return out;
 }
 
+bool refine_arcs(const SilhouetteView& view, CutFace& face)
+{
+    const auto points = [&] {
+        std::size_t count = 0;
+        for (const FaceLeaf& leaf : face.leaves)
+            for (const ContourArc& arc : leaf.arcs)
+                count += arc.size();
+        return count;
+    };
+    const std::size_t before = points();
+    for (FaceLeaf& leaf : face.leaves)
+        if (!leaf.arcs.empty())
+            trace(view, leaf);
+    return points() > before;
+}
+
 std::vector<SidePoint> side_points(const CutFace& face)
 {
     std::vector<SidePoint> points;
@@ -354,16 +376,28 @@ std::vector<SidePoint> side_points(const CutFace& face)
     return points;
 }
 
-double turned_over(const SilhouetteView& view, const std::array<dvec3, 3>& corners, bool front)
+FaceEdges face_edges(const LoopTopology& topology, std::uint32_t face, const EdgePoints& edges)
 {
-    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    if ((glm::dot(view.eye.from(corners[0]), normal) >= 0) == front)
-        return 0;
-    const dvec2 p[3] = {view.plane.pixel(corners[0]), view.plane.pixel(corners[1]), view.plane.pixel(corners[2])};
-    if (!view.plane.is_in_picture(p))
-        return 0;
-    const double longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
-    return longest > 0 ? std::abs(cross(p[1] - p[0], p[2] - p[0])) / longest : 0;
+    return {edges[topology.edge[3 * face]], edges[topology.edge[3 * face + 1]], edges[topology.edge[3 * face + 2]]};
+}
+
+const dvec3& position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const FaceEdges& on_sides, const std::vector<SurfaceSample>& own)
+{
+    switch (point.of) {
+    case FacePoint::Of::corner: return view.pose.corners.positions[view.topology().triangles[face][int(point.side)]];
+    case FacePoint::Of::edge: return on_sides[point.side][point.index].position;
+    default: return own[point.index].position;
+    }
+}
+
+const dvec3& normal_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const FaceEdges& on_sides, const std::vector<SurfaceSample>& own)
+{
+    const std::uint32_t h = 3 * face + point.side;
+    switch (point.of) {
+    case FacePoint::Of::corner: return view.pose.corners.normals[h];
+    case FacePoint::Of::edge: return on_sides[point.side][point.index].normals[view.side_of(h)];
+    default: return own[point.index].normal;
+    }
 }
 
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges)
@@ -384,10 +418,10 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
         }
     for (const FaceLeaf& leaf : face.leaves)
         out.to_split.push_back(is_too_flat(view, face.face, leaf));
+    const std::vector<Segment> along_curves = segments_of(out.curves);
     std::vector<dvec2> places(out.points.size());
     std::vector<std::uint8_t> lines(out.points.size());
-    const LoopTopology& t = view.topology();
-    const FaceEdges on_sides = {edges[t.edge[3 * face.face]], edges[t.edge[3 * face.face + 1]], edges[t.edge[3 * face.face + 2]]};
+    const FaceEdges on_sides = face_edges(view.topology(), face.face, edges);
     const auto positions = [&](const std::array<std::uint32_t, 3>& corners) {
         std::array<dvec3, 3> at;
         for (std::uint32_t k = 0; k < 3; ++k)
@@ -404,10 +438,17 @@ FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, 
                 lines[p] = std::uint8_t(lines[p] | (1u << k));
         for (const Region& region : regions[i])
             for (const uvec3& triangle : triangulate_polygon(region.polygon, {places, lines})) {
-                const double turned = turned_over(view, positions({triangle.x, triangle.y, triangle.z}), region.front);
-                out.to_split[i] = out.to_split[i] || turned > view.turned_pixels();
-                out.most_turned = std::max(out.most_turned, turned);
                 out.triangles.push_back(triangle);
+                DrawnTriangle drawn{face.face, {}, positions({triangle.x, triangle.y, triangle.z}), {}};
+                if (shows_side(view, drawn.positions, region.front))
+                    continue;
+                for (int k = 0; k < 3; ++k) {
+                    drawn.at[std::size_t(k)] = out.points[triangle[k]].at;
+                    drawn.on_contour[std::size_t(k)] = std::binary_search(along_curves.begin(), along_curves.end(), segment(triangle[k], triangle[(k + 1) % 3]));
+                }
+                const double turned = turned_beyond(view, drawn, region.front);
+                out.to_split[i] = out.to_split[i] || (turned > 0 && turned > pixels_around(view, drawn));
+                out.most_turned = std::max(out.most_turned, turned);
             }
     }
     return out;

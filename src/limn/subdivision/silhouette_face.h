@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "limn/subdivision/contour_cells.h"
@@ -34,6 +36,9 @@ CutFace cut_face(const SilhouetteView& view, std::uint32_t face, const EdgePoint
 /// @param which  one flag per leaf
 CutFace split_leaves(const SilhouetteView& view, const CutFace& face, const std::vector<bool>& which);
 
+/// Follows the arcs in a face again, with more points where SilhouetteView::tight asks for them. @return whether there are new ones
+bool refine_arcs(const SilhouetteView& view, CutFace& face);
+
 /// Where the leaves' corners lie on the sides of the face, between its corners: side and parameter along it.
 struct SidePoint {
     int side;
@@ -55,14 +60,20 @@ struct FaceTriangles {
     std::vector<SurfaceSample> own;
     std::vector<uvec3> triangles;     ///< of points
     std::vector<std::vector<std::uint32_t>> curves;
-    /// Per leaf: whether a triangle is turned over in the picture, against what the contour says, by more than SilhouetteView::turned_pixels, or is
-    /// further from the surface than SilhouetteView::surface_pixels.
+    /// Per leaf: whether a triangle shows another side than the contour says and may stick out by more than SilhouetteView::pixels, or is further
+    /// from the surface than SilhouetteView::surface_pixels.
     std::vector<bool> to_split;
-    double most_turned = 0; ///< pixels: the greatest height of triangles that are turned over
+    double most_turned = 0; ///< pixels: as far as triangles that show the wrong side may stick out (turned_beyond)
 };
 FaceTriangles triangulate_face(const SilhouetteView& view, const CutFace& face, const EdgePoints& edges);
 
-/// By how many pixels a triangle is turned over: its least height in the picture where it does not show the side that it should, else 0.
-double turned_over(const SilhouetteView& view, const std::array<dvec3, 3>& corners, bool front);
+/// The points of a face's edges, as they are at the moment.
+using FaceEdges = std::array<std::span<const CutPoint>, 3>;
+FaceEdges face_edges(const LoopTopology& topology, std::uint32_t face, const EdgePoints& edges);
+
+/// Where one of a face's points is. @param own  the face's own points
+const dvec3& position_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const FaceEdges& on_sides, const std::vector<SurfaceSample>& own);
+/// The surface's normal there, on the side of the face.
+const dvec3& normal_of(const SilhouetteView& view, std::uint32_t face, const FacePoint& point, const FaceEdges& on_sides, const std::vector<SurfaceSample>& own);
 
 } // namespace limn

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "limn/camera/camera.h"
+#include "limn/subdivision/local_tolerance.h"
 #include "limn/subdivision/silhouette_mesh.h"
 #include "limn/subdivision/silhouette_pose.h"
 
@@ -69,9 +70,10 @@ struct SilhouetteView {
     double pixels;    ///< how far from the true outline a polyline may be
     int curve_points; ///< parts of each arc; 0: as many as `pixels` asks for
     double surface_pixels; ///< how far the sides of triangles that face the eye may be from the surface; 0: any distance
+    LocalTolerance tight = {}; ///< where outlines must be nearer than `pixels`
 
-    /// How far a triangle may be turned over: less, since several beside each other add up.
-    double turned_pixels() const { return 0.5 * pixels; }
+    /// How far an outline may be from the line between two places.
+    double pixels_along(const dvec3& a, const dvec3& b) const { return tight.empty() ? pixels : tight.along(plane.pixel(a), plane.pixel(b), pixels); }
     const LoopTopology& topology() const { return pose.shape.table().control(); }
     Facing facing(const dvec3& position, const dvec3& normal) const { return {normal, glm::dot(glm::normalize(eye.from(position)), normal)}; }
     /// At the start of a half-edge, on the side of its face.
