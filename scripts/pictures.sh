@@ -86,4 +86,4 @@ if command -v blender >/dev/null; then
 fi
 
 build/limn sample terrain --size 513 --seed 3 --quiet -o "$models/terrain.tif"
-build/limn terrain "$models/terrain.tif" --quiet --size 960x540 -o docs/images/terrain.png
+build/limn terrain "$models/terrain.tif" --quiet --size 720x405 -o docs/images/terrain.png

@@ -46,7 +46,8 @@ struct TerrainCommand {
     TerrainBuildOptions build;
     TerrainPictureOptions picture;
     bool error_report = false, double_positions = false;
-    double base = 0, print_size = 0; ///< mm
+    double base = 0;       ///< mm where a print size is given, else metres; 0: none
+    double print_size = 0; ///< mm; 0: metres as they are
 };
 
 /// What was made for one kind of output.
@@ -111,10 +112,9 @@ std::optional<std::string> eye_fault(const HeightMap& map, const Camera& camera)
 /// Millimetres for a print, metres else.
 Mesh for_file(const TerrainCommand& command, Mesh mesh)
 {
-    double to_mm = 1;
     if (command.print_size > 0) {
         const dvec3 size = mesh.bounds().size();
-        to_mm = command.print_size / std::max(size.x, size.y);
+        const double to_mm = command.print_size / std::max(size.x, size.y);
         for (dvec3& p : mesh.positions)
             p *= to_mm;
     }

@@ -46,8 +46,8 @@ NestedErrors nest_errors(const HeightMap& map, const NestedErrorOptions& options
 double triangle_error(const HeightMap& map, const Lattice& lattice, const BisectionTriangle& triangle);
 
 /// How far the box around a point's two triangles, and those of all points that need it, reaches from the point, in cells.
-/// @param hypotenuse  half the hypotenuse that the point splits, in cells: 1, 2, 4 ...
-/// @param diagonal    whether that hypotenuse is diagonal
+/// @param half_hypotenuse  of the hypotenuse that the point splits, in cells along a row or column: 1, 2, 4 ...
+/// @param diagonal         whether that hypotenuse is diagonal
 int reach_of_point(int half_hypotenuse, bool diagonal);
 
 } // namespace limn
