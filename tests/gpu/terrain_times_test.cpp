@@ -7,6 +7,7 @@
 
 #include "gpu/gpu.h"
 #include "limn/gpu/par_refiner.h"
+#include "limn/gpu/terrain_leaves.h"
 #include "limn/terrain/mountains.h"
 #include "terrain/par_support.h"
 
@@ -67,6 +68,33 @@ TEST_F(GpuTerrainTimesSlow, OfParOverAGeneratedMap)
                "ms done; processor {:.1f} ms\n",
                context->info().renderer, par.triangles().size(), median(queued), median(done), median(on_processor));
     EXPECT_EQ(set_of(par.triangles()).size(), par.triangles().size());
+}
+
+TEST_F(GpuTerrainTimesSlow, OfStrictViewsOverAGeneratedMap)
+{
+    const HeightMap map = generated(1025);
+    const NestedErrors errors = nest_errors(map, {.ranges = true});
+    const gpu::TerrainBuffers terrain(map, errors.lattice, &errors);
+    gpu::TerrainLeaves leaves(terrain);
+    TerrainView view(map, errors);
+    for (const double pixels : {8.0, 2.0, 1.0}) {
+        std::vector<double> queued, done, on_processor;
+        for (int frame = 0; frame < 10; ++frame) {
+            const Camera camera = flight(map, frame);
+            const double queueing = milliseconds([&] { leaves.update(camera, {.pixels = pixels}); });
+            const double waiting = milliseconds([&] { leaves.complete(); });
+            const double processor = milliseconds([&] { view.update(camera, {.pixels = pixels}); });
+            if (frame > 0) {
+                queued.push_back(queueing);
+                done.push_back(queueing + waiting);
+                on_processor.push_back(processor);
+            }
+        }
+        fmt::print("[ times    ] {}: strict, {} px at 1920 x 1080 over 1025 x 1025 samples, {} leaves that change little: {:.1f} ms "
+                   "queued, {:.1f} ms done; processor {:.1f} ms\n",
+                   context->info().renderer, pixels, leaves.triangles().size(), median(queued), median(done), median(on_processor));
+        EXPECT_GT(leaves.triangles().size(), 1000u);
+    }
 }
 
 } // namespace
