@@ -116,6 +116,8 @@ TEST_F(GpuLeaves, MakeRoomAndDoNothingWhereNothingMoves)
     leaves.update(camera, {.pixels = 0}); // learns from the report
     EXPECT_GT(leaves.capacity(), small);
     EXPECT_EQ(inside(ground.errors.lattice, leaves.triangles()), triangles_in_view(ground.map, ground.errors, camera, {.pixels = 0}));
+    EXPECT_LE(leaves.capacity(), 2 * leaves.triangles().size());
+    EXPECT_EQ(leaves.bytes(), 48 * leaves.capacity() + 4 * ((leaves.capacity() + 255) / 256) + 2 * 16 + 1344 + 16);
     const std::size_t before = leaves.updates();
     for (int i = 0; i < 5; ++i)
         leaves.update(camera, {.pixels = 0});
