@@ -33,7 +33,8 @@ public:
     std::vector<BisectionTriangle> triangles(); ///< of the last view, completed; some may be outside the map. Waits for the device
     const TerrainPieces& pieces() const { return pieces_; } ///< what is drawn
     std::size_t capacity() const { return lists_.capacity(); }
-    /// On the device, beside the terrain: 48 for each triangle that there is room for, which are those asked for at first or at most twice what the largest mesh took.
+    /// On the device, beside the terrain: 48 for each triangle that there is room for, which are those asked for at first or at most twice what the
+    /// largest mesh took.
     std::size_t bytes() const { return lists_.bytes() + pieces_.bytes() + roots_.bytes(); }
     std::size_t updates() const { return updates_; } ///< how many views were queued: one that is the same as before it is not
 
