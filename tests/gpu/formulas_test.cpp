@@ -64,6 +64,7 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/sobel.glsl"
 #include "limn/formulas/texture_lines.glsl"
 #include "limn/formulas/crease_outline.glsl"
+#include "limn/formulas/direction_grid.glsl"
 #include "limn/formulas/suggestive_line.glsl"
 #include "limn/formulas/terrain_bound.glsl"
 #include "limn/formulas/terrain_error.glsl"
@@ -293,7 +294,23 @@ Values suggestive_pieces(const Point& p, const RadialTerms&)
     return {{{1, 0}, {float(piece.edge_a * 4 + piece.edge_b), 0}, {piece.a.x, 6 * cut}, {piece.b.y, 6 * cut}, {piece.ink_a, 6 * cut}, {piece.ink_b, 6 * cut}}};
 }
 
+/// Directions, there and back, and frames of places in one of the three grids: the device has another one for each third of the points.
+Values directions(const Point& p, const RadialTerms&)
+{
+    const int kind = int(p.k.w * 2.999f);
+    const vec2 place = place_of_direction(kind, vec3(p.n));
+    const MapFrame back = frame_of_place(kind, place), frame = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w));
+    const vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w));
+    return {{{place.x, 1}, {dot(back.towards, vec3(p.v)), 10}, {sum({frame.right.x, frame.up.y}), 2}, {dot(frame.up, vec3(1, 2, 3)), 6}, {dot(frame.towards, vec3(1, 2, 3)), 6},
+             {folded.x - folded.y, 2}}};
+}
+
 const Formula formulas_of_the_library[] = {
+    {"direction_grid",
+     "int kind = int(p.k.w * 2.999f); vec2 place = place_of_direction(kind, n); MapFrame back = frame_of_place(kind, place);"
+     "MapFrame f = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w)); vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w)); r[0] = place.x;"
+     "r[1] = dot(back.towards, v); r[2] = abs(f.right.x) + abs(f.up.y); r[3] = dot(f.up, vec3(1, 2, 3)); r[4] = dot(f.towards, vec3(1, 2, 3)); r[5] = folded.x - folded.y;",
+     directions},
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
      "r[0] = radial_curvature(t, p.k.x, p.k.y); r[1] = radial_curvature_derivative(t, p.k.x, p.k.y, p.derivative);"
