@@ -388,12 +388,14 @@ const Formula formulas_of_the_library[] = {
     {"toon_tone", "float lit = (floor(p.k.z * 20.0f) + 0.5f) / 20.0f; r[0] = toon_tone(lit, 0.3f, 2.0f); r[1] = toon_tone(lit, 0.31f, 5.0f);", toon},
     {"terrain error",
      "ErrorCamera c = ErrorCamera(p.e1.xyz, p.e2.xyz, n, 1000.0f, 0.01f, 0.0f); vec3 at = v + 6.0f * n;"
-     "r[0] = height_error_exact(c, at, 0.5f * p.k.z); r[1] = height_error_any_way(c, at, 0.5f * p.k.z); r[2] = height_error_exact(c, -at, p.k.z);",
+     "r[0] = height_error_exact(c, at, 0.5f * p.k.z); r[1] = height_error_any_way(c, at, 0.5f * p.k.z); r[2] = height_error_exact(c, -at, p.k.z);"
+     "r[3] = height_off_chord(v.x, v.y, v.z);",
      [](const Point& p, const RadialTerms&) -> Values {
          const ErrorCamera c = {vec3(p.e1), vec3(p.e2), vec3(p.n), 1000.0f, 0.01f, 0.0f};
          const vec3 at = vec3(p.v) + 6.0f * vec3(p.n);
          const float exact = height_error_exact(c, at, 0.5f * p.k.z), z = dot(c.forward, at), far_z = z + 0.5f * p.k.z * c.forward.z;
-         return {Value{exact, 500.0f * p.k.z * 4 * length(at) / (z * far_z)}, {height_error_any_way(c, at, 0.5f * p.k.z), 1000.0f}, {height_error_exact(c, -at, p.k.z), NO_BOUND}};
+         return {Value{exact, 500.0f * p.k.z * 4 * length(at) / (z * far_z)}, {height_error_any_way(c, at, 0.5f * p.k.z), 1000.0f}, {height_error_exact(c, -at, p.k.z), NO_BOUND},
+                 {float(height_off_chord(double(p.v.x), double(p.v.y), double(p.v.z))), sum({p.v.x, p.v.y, p.v.z})}};
      }},
     {"terrain bound",
      "BoundCamera c = BoundCamera(p.e1.xyz, p.e2.xyz, n, 1000.0f, 0.01f, 0.0f); vec3 at = v + 6.0f * n; vec3 reach = 0.2f * vec3(p.k.z, p.k.w, 0.5f);"
