@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t grain = 2048;
 /// Sides of a triangle as bits: apex-a, b-apex, and a-b, which is split where any other is.
 constexpr unsigned first_leg = 1, second_leg = 2, hypotenuse = 4;
+/// Of a triangle that stays flat: all sides of its parts are straight.
+constexpr unsigned flat = 8;
 
 /// A triangle and what its parts get from it.
 struct Part {
@@ -24,7 +26,8 @@ int split_parts(const Part& t, unsigned sides, const uvec3& middles, Part (&out)
 {
     const std::uint32_t c = t.triangle.x, a = t.triangle.y, b = t.triangle.z, p = middles.x, q = middles.y, m = middles.z;
     const unsigned f0 = t.straight & first_leg ? 1u : 0u, f1 = t.straight & second_leg ? 1u : 0u, f2 = t.straight & hypotenuse ? 1u : 0u;
-    const auto flags = [](unsigned g0, unsigned g1, unsigned g2) { return g0 * first_leg | g1 * second_leg | g2 * hypotenuse; };
+    const unsigned all = t.straight & flat ? flat | first_leg | second_leg | hypotenuse : 0u;
+    const auto flags = [&](unsigned g0, unsigned g1, unsigned g2) { return g0 * first_leg | g1 * second_leg | g2 * hypotenuse | all; };
     if (sides == 0) {
         out[0] = t;
         return 1;
@@ -233,7 +236,7 @@ private:
     void append_made(std::size_t t, const std::vector<double>& moved, std::vector<Made>& out) const
     {
         const auto vertex = [&](std::size_t side) { return vertex_[edges_.of_side[3 * t + side]]; };
-        unsigned sides = split_sides(t), straight = 0;
+        unsigned sides = split_sides(t), straight = mesh_.straight[t];
         for (unsigned k = 0; k < 3; ++k)
             if (straight_[edges_.of_side[3 * t + k]] != 0)
                 straight |= 1u << k;

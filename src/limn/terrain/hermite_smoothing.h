@@ -45,7 +45,8 @@ struct HermiteBound {
 
 /// What must not move. Empty arrays: nothing.
 struct HermiteLimits {
-    /// For each triangle, bit k: side k of EdgeTable stays straight, and so does all that it is split into.
+    /// For each triangle, bit k of 0 to 2: side k of EdgeTable stays straight, and so does all that it is split into; bit 3, with the others: so
+    /// do the sides between its parts, and it stays flat.
     std::vector<std::uint8_t> straight;
     /// For each triangle, how far its surface may be moved in all, along z: then vertices move up and down only, each edge no further than all
     /// its triangles let it.
