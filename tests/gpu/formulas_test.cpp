@@ -65,6 +65,7 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/texture_lines.glsl"
 #include "limn/formulas/crease_outline.glsl"
 #include "limn/formulas/direction_grid.glsl"
+#include "limn/formulas/hermite_edge.glsl"
 #include "limn/formulas/suggestive_line.glsl"
 #include "limn/formulas/terrain_bound.glsl"
 #include "limn/formulas/terrain_error.glsl"
@@ -305,6 +306,27 @@ Values directions(const Point& p, const RadialTerms&)
              {folded.x - folded.y, 2}}};
 }
 
+/// Tangents lose digits where they are made longer.
+Values bent_edges(const Point& p, const RadialTerms&)
+{
+    const dvec3 from(p.v), to(p.e2), n1(p.n), n2(p.e1);
+    const double weight = double(p.k.z), size = glm::length(to - from);
+    const EdgeTangents t = edge_tangents(from, to, n1, n2);
+    const float a = float(size / glm::length(to - from - n1 * glm::dot(to - from, n1))), b = float(size / glm::length(to - from - n2 * glm::dot(to - from, n2)));
+    const float term = 6 * std::max({1.0f, a, b});
+    const dvec3 middle = edge_middle(from, to, t, weight);
+    return {{{float(middle.x), term}, {float(middle.y), term}, {float(edge_quarter(t, weight).x), term}, {float(edge_three_quarters(t, weight).y), term},
+             {float(along_edge(from, to, middle)), term / float(size)}, {float(across_edge(from, to, n1).z), 1}}};
+}
+
+Values edge_normals(const Point& p, const RadialTerms&)
+{
+    const dvec3 from(p.v), to(p.e2), n1(p.n), n2(p.e1);
+    const dvec3 plain = edge_normal(from, to, n1, n2, double(p.k.z), false), mirrored = edge_normal(from, to, n1, n2, double(p.k.z), true);
+    const bool serpentine = is_serpentine(from, from + n1, n1 + n2, p.k.z > 0.5f ? n1 : -n1);
+    return {{{float(plain.x), 2}, {float(plain.z), 2}, {float(mirrored.x), 2}, {float(mirrored.z), 2}, {serpentine ? 1.0f : 0.0f, 0}}};
+}
+
 const Formula formulas_of_the_library[] = {
     {"direction_grid",
      "int kind = int(p.k.w * 2.999f); vec2 place = place_of_direction(kind, n); MapFrame back = frame_of_place(kind, place);"
@@ -406,6 +428,14 @@ const Formula formulas_of_the_library[] = {
          const float bound = float(height_error_bound(c, dvec3(at), dvec3(reach), double(p.k.w), double(1e-4f)));
          return {Value{bound, 10 * bound + 1}, {box_may_be_seen(c, dvec2(double(0.4f), double(0.3f)), dvec3(at), dvec3(reach), double(1e-4f)) ? 1.0f : 0.0f, 1}};
      }},
+    {"edge_tangents, edge_middle, edge_quarter, edge_three_quarters, along_edge, across_edge",
+     "EdgeTangents e = edge_tangents(v, p.e2.xyz, n, p.e1.xyz); vec3 m = edge_middle(v, p.e2.xyz, e, p.k.z); r[0] = m.x; r[1] = m.y;"
+     "r[2] = edge_quarter(e, p.k.z).x; r[3] = edge_three_quarters(e, p.k.z).y; r[4] = along_edge(v, p.e2.xyz, m); r[5] = across_edge(v, p.e2.xyz, n).z;",
+     bent_edges},
+    {"is_serpentine, edge_normal",
+     "vec3 m = edge_normal(v, p.e2.xyz, n, p.e1.xyz, p.k.z, false); vec3 s = edge_normal(v, p.e2.xyz, n, p.e1.xyz, p.k.z, true); r[0] = m.x; r[1] = m.z;"
+     "r[2] = s.x; r[3] = s.z; r[4] = is_serpentine(v, v + n, n + p.e1.xyz, p.k.z > 0.5f ? n : -n) ? 1.0f : 0.0f;",
+     edge_normals},
 };
 
 class GpuFormulas : public Gpu {};
