@@ -6,9 +6,9 @@
 namespace limn::gpu {
 
 /// Strict mode on the device: the mesh of a view that moves, as TerrainView has it, in the same order. Each leaf decides alone, from the errors and
-/// heights around lattice points, whether it is split, stays, or is merged as far up as the view allows; prefix sums place what becomes of it. A view that changes little
-/// takes two passes over the leaves. All passes that the hierarchy can need are queued at once, those that are not needed with no work-groups, and nothing
-/// is read back, but for a short report a view later.
+/// heights around lattice points, whether it is split, stays, or is merged as far up as the view allows; prefix sums place what becomes of it. A
+/// view that changes little takes two or three passes over the leaves. All passes that the hierarchy can need are queued at once, those that are not
+/// needed with no work-groups, and nothing is read back, but for a short report a view later.
 ///
 /// In single precision, relative to the eye. Boxes are larger and bounds higher than exact ones, by more than rounding takes: at a lattice point of level k
 /// (0 for the finest) by 2e-6 (k + 1) of the way from the eye around the terrain, and by 2e-5 (k + 1) of the bound. So meshes keep the tolerance, have no
