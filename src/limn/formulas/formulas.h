@@ -17,6 +17,7 @@ namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/crease_outline.glsl"
+#include "limn/formulas/direction_grid.glsl"
 #include "limn/formulas/edge_zero.glsl"
 #include "limn/formulas/hermite_edge.glsl"
 #include "limn/formulas/normal_map.glsl"

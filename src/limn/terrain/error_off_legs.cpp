@@ -11,77 +11,88 @@ namespace {
 /// Samples from which on a row is worth the call of a kernel.
 constexpr int long_row = 16;
 
-struct Heights {
-    const HeightMap& map;
-    double operator()(const ivec2& p) const { return double(map.height(p.x, p.y)); }
-};
-
-/// The greatest distance of samples in a row from a line.
-double row_error(const HeightMap& map, int row, int first, int count, double start, double step)
+/// The greatest distance of `count` samples of a row from a line that has the height `start` at the first of them.
+double row_error(const HeightWindow& window, int row, int first, int count, double start, double step)
 {
-    const float* heights = &map.heights[map.index(first, row)];
-    if (count >= long_row)
-        return row_deviation(heights, count, start, step);
+    const int from = std::max(0, window.first.x - first), to = std::min(count, window.end.x - first);
+    if (to <= from)
+        return 0;
+    const float* heights = window.at(first + from, row);
+    if (to - from >= long_row)
+        return row_deviation(heights, to - from, start, step, from);
     double worst = 0;
-    for (int i = 0; i < count; ++i)
-        worst = std::max(worst, std::abs(double(heights[i]) - (start + step * i)));
+    for (int i = from; i < to; ++i)
+        worst = std::max(worst, std::abs(double(heights[i - from]) - (start + step * i)));
     return worst;
 }
 
 /// Hypotenuse along a row, the apex above or below its middle.
-double error_under_row(const HeightMap& map, const BisectionTriangle& t)
+double error_under_row(const HeightWindow& window, const BisectionTriangle& t, const CornerHeights& corners)
 {
-    const Heights h = {map};
-    const ivec2 west = t.a.x < t.b.x ? t.a : t.b, east = t.a.x < t.b.x ? t.b : t.a;
-    const int size = east.x - west.x, half = size / 2, down = t.apex.y > west.y ? 1 : -1;
-    const double step = (h(east) - h(west)) / size, per_row = (h(t.apex) - 0.5 * (h(west) + h(east))) / half;
+    const bool a_first = t.a.x < t.b.x;
+    const ivec2 west = a_first ? t.a : t.b, east = a_first ? t.b : t.a;
+    const double h_west = a_first ? corners.a : corners.b, h_east = a_first ? corners.b : corners.a;
+    const bool down = t.apex.y > west.y;
+    const int size = east.x - west.x, half = size / 2;
+    const double step = (h_east - h_west) / size, per_row = (corners.apex - 0.5 * (h_west + h_east)) / half;
+    const int begin = std::max(0, down ? window.first.y - west.y : west.y - window.end.y + 1);
+    const int end = std::min(half, down ? window.end.y - west.y : west.y - window.first.y + 1);
     double worst = 0;
-    for (int k = 0; k < half; ++k)
-        worst = std::max(worst, row_error(map, west.y + down * k, west.x + k + 1, size - 2 * k - 1, h(west) + per_row * k + step * (k + 1), step));
+    for (int k = begin; k < end; ++k)
+        worst = std::max(worst, row_error(window, down ? west.y + k : west.y - k, west.x + k + 1, size - 2 * k - 1, h_west + per_row * k + step * (k + 1), step));
     return worst;
 }
 
 /// Hypotenuse along a column.
-double error_beside_column(const HeightMap& map, const BisectionTriangle& t)
+double error_beside_column(const HeightWindow& window, const BisectionTriangle& t, const CornerHeights& corners)
 {
-    const Heights h = {map};
-    const ivec2 north = t.a.y < t.b.y ? t.a : t.b, south = t.a.y < t.b.y ? t.b : t.a;
+    const bool a_first = t.a.y < t.b.y;
+    const ivec2 north = a_first ? t.a : t.b, south = a_first ? t.b : t.a;
+    const double h_north = a_first ? corners.a : corners.b, h_south = a_first ? corners.b : corners.a;
     const int size = south.y - north.y, half = size / 2;
     const bool is_east = t.apex.x > north.x;
-    const double per_row = (h(south) - h(north)) / size, step = (is_east ? 1 : -1) * (h(t.apex) - 0.5 * (h(north) + h(south))) / half;
+    const double per_row = (h_south - h_north) / size, step = (is_east ? 1 : -1) * (corners.apex - 0.5 * (h_north + h_south)) / half;
+    const int begin = std::max(1, window.first.y - north.y), end = std::min(size, window.end.y - north.y);
     double worst = 0;
-    for (int j = 1; j < size; ++j) {
+    for (int j = begin; j < end; ++j) {
         const int count = std::min(j, size - j), first = is_east ? 0 : 1 - count;
-        worst = std::max(worst, row_error(map, north.y + j, north.x + first, count, h(north) + per_row * j + step * first, step));
+        worst = std::max(worst, row_error(window, north.y + j, north.x + first, count, h_north + per_row * j + step * first, step));
     }
     return worst;
 }
 
 /// Half of a square, its legs along a row and a column.
-double error_in_square(const HeightMap& map, const BisectionTriangle& t)
+double error_in_square(const HeightWindow& window, const BisectionTriangle& t, const CornerHeights& corners)
 {
-    const Heights h = {map};
-    const ivec2 low = glm::min(t.a, t.b), at_row = t.a.y == t.apex.y ? t.a : t.b, at_column = t.a.y == t.apex.y ? t.b : t.a;
+    const bool a_at_row = t.a.y == t.apex.y;
+    const double at_row = a_at_row ? corners.a : corners.b, at_column = a_at_row ? corners.b : corners.a;
+    const ivec2 low = glm::min(t.a, t.b);
     const int size = std::abs(t.a.x - t.b.x);
     const bool is_west = t.apex.x == low.x, is_north = t.apex.y == low.y; // the apex
-    const double step = (is_west ? 1 : -1) * (h(at_row) - h(t.apex)) / size, per_row = (is_north ? 1 : -1) * (h(at_column) - h(t.apex)) / size;
+    const double step = (is_west ? 1 : -1) * (at_row - corners.apex) / size, per_row = (is_north ? 1 : -1) * (at_column - corners.apex) / size;
+    const int begin = std::max(1, window.first.y - low.y), end = std::min(size, window.end.y - low.y);
     double worst = 0;
-    for (int j = 1; j < size; ++j) {
+    for (int j = begin; j < end; ++j) {
         const int count = is_north ? size - j : j; // from the apex's column to the hypotenuse, without the former
         const int first = is_west ? low.x + 1 : low.x + size - count;
-        const double start = h(t.apex) + step * (first - t.apex.x) + per_row * (low.y + j - t.apex.y);
-        worst = std::max(worst, row_error(map, low.y + j, first, count, start, step));
+        const double start = corners.apex + step * (first - t.apex.x) + per_row * (low.y + j - t.apex.y);
+        worst = std::max(worst, row_error(window, low.y + j, first, count, start, step));
     }
     return worst;
 }
 
 } // namespace
 
-double error_off_legs(const HeightMap& map, const BisectionTriangle& t)
+double error_off_legs(const HeightWindow& window, const BisectionTriangle& t, const CornerHeights& corners)
 {
     if (t.a.y == t.b.y)
-        return error_under_row(map, t);
-    return t.a.x == t.b.x ? error_beside_column(map, t) : error_in_square(map, t);
+        return error_under_row(window, t, corners);
+    return t.a.x == t.b.x ? error_beside_column(window, t, corners) : error_in_square(window, t, corners);
+}
+
+double error_off_legs(const HeightWindow& window, const BisectionTriangle& t)
+{
+    return error_off_legs(window, t, {double(window.height(t.apex)), double(window.height(t.a)), double(window.height(t.b))});
 }
 
 } // namespace limn

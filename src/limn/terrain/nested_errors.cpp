@@ -4,19 +4,13 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
-#include "limn/terrain/error_off_legs.h"
+#include "limn/terrain/split_point.h"
 #include "limn/terrain/triangle_scan.h"
 
 namespace limn {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
-
-float rounded_up(double value)
-{
-    const float near = float(value);
-    return double(near) < value ? std::nextafter(near, nothing) : near;
-}
 
 /// Whether a sample is NaN somewhere.
 bool has_holes(const HeightMap& map)
@@ -28,7 +22,7 @@ bool has_holes(const HeightMap& map)
 class Nesting {
 public:
     Nesting(const HeightMap& map, const NestedErrorOptions& options, NestedErrors& out)
-        : map_(map), lattice_(out.lattice), out_(out), whole_(lattice_.is_covered_exactly() && !has_holes(map)), ranges_(options.ranges)
+        : map_(map), window_(whole_window(map)), lattice_(out.lattice), out_(out), ranges_(options.ranges)
     {
         out.errors.assign(lattice_.point_count(), 0);
         if (ranges_)
@@ -37,22 +31,22 @@ public:
     void run()
     {
         const ivec2 cells = lattice_.points() - 1;
-        const bool finest_apart = whole_ && !ranges_ && lattice_.level > 0;
+        const bool finest_apart = !ranges_ && lattice_.level > 0 && lattice_.is_covered_exactly() && !has_holes(map_);
         if (finest_apart)
             finest();
         for (int s = finest_apart ? 4 : 2; s <= lattice_.root_cells(); s *= 2) {
             const ivec2 squares = cells / s;
             each_row_of(squares.y + 1, [&](int j) {
                 for (int i = 0; i < squares.x; ++i)
-                    horizontal(i * s, j * s, s);
+                    set(split_point_on_row(lattice_, i * s, j * s, s));
             });
             each_row_of(squares.y, [&](int j) {
                 for (int i = 0; i <= squares.x; ++i)
-                    vertical(i * s, j * s, s);
+                    set(split_point_on_column(lattice_, i * s, j * s, s));
             });
             each_row_of(squares.y, [&](int j) {
                 for (int i = 0; i < squares.x; ++i)
-                    square(i, j, s);
+                    set(split_point_in_square(lattice_, i, j, s));
             });
         }
     }
@@ -77,7 +71,7 @@ private:
             for (int x = 0; x <= last; x += 2)
                 errors[x] = middle_error({x, y - 1}, {x, y}, {x, y + 1});
             for (int x = 1; x < last; x += 2) {
-                const int side = falls(x / 2, j, 2) ? 1 : -1;
+                const int side = diagonal_falls(lattice_, x / 2, j, 2) ? 1 : -1;
                 const float own = middle_error({x - side, y - 1}, {x, y}, {x + side, y + 1});
                 errors[x] = std::max({own, errors[x - 1], errors[x + 1], above[x], below[x]});
             }
@@ -88,111 +82,34 @@ private:
         const auto height = [&](const ivec2& p) { return double(map_.height(p.x, p.y)); };
         return rounded_up(std::abs(height(middle) - 0.5 * (height(a) + height(b))));
     }
-    /// Whether a square's diagonal, which goes through the middle of the next larger square, falls from north-west to south-east.
-    bool falls(int i, int j, int s) const { return s == lattice_.root_cells() || (i + j) % 2 == 0; }
-
-    /// The point in the middle of a horizontal hypotenuse.
-    void horizontal(int x, int y, int s)
+    void set(const SplitPoint& point)
     {
-        const ivec2 a(x, y), b(x + s, y);
-        const int h = s / 2;
-        Point point = start(a, b);
-        if (y > 0)
-            add(point, {{x + h, y - h}, a, b});
-        if (y + 1 < lattice_.points().y)
-            add(point, {{x + h, y + h}, a, b});
-        finish(point);
-    }
-    void vertical(int x, int y, int s)
-    {
-        const ivec2 a(x, y), b(x, y + s);
-        const int h = s / 2;
-        Point point = start(a, b);
-        if (x > 0)
-            add(point, {{x - h, y + h}, a, b});
-        if (x + 1 < lattice_.points().x)
-            add(point, {{x + h, y + h}, a, b});
-        finish(point);
-    }
-    /// The point in the middle of a square.
-    void square(int i, int j, int s)
-    {
-        const ivec2 nw = ivec2(i, j) * s, se = nw + s, ne(se.x, nw.y), sw(nw.x, se.y);
-        const bool down = falls(i, j, s);
-        const ivec2 a = down ? nw : ne, b = down ? se : sw;
-        Point point = start(a, b);
-        add(point, {down ? ne : nw, a, b});
-        add(point, {down ? sw : se, a, b});
-        finish(point);
-    }
-    struct Point {
-        std::size_t at;
-        double error = 0;
-        float low = nothing, high = -nothing;
-    };
-    Point start(const ivec2& a, const ivec2& b) const
-    {
-        const ivec2 middle = (a + b) / 2;
-        Point point = {lattice_.index(middle)};
-        if (ranges_)
-            for (const ivec2& p : {a, b, middle})
-                include(point, p);
-        return point;
-    }
-    void include(Point& point, const ivec2& p) const
-    {
-        if (!lattice_.is_sample(p))
+        const std::size_t at = lattice_.index(point.middle());
+        if (!ranges_) {
+            out_.errors[at] = bounds_of_point(lattice_, window_, point, [&](const ivec2& p) { return PointBounds{out_.error(p), 0, 0}; }).error;
             return;
-        const float height = map_.height(p.x, p.y);
-        point.low = std::min(point.low, std::isnan(height) ? nothing : height);
-        point.high = std::max(point.high, std::isnan(height) ? -nothing : height);
-    }
-    void add(Point& point, const BisectionTriangle& t) const
-    {
-        point.error = std::max(point.error, whole_ ? error_off_legs(map_, t) : triangle_error(map_, lattice_, t));
-        if (ranges_)
-            include(point, t.apex);
-        if (can_split(t.apex, t.a)) {
-            nest(point, lattice_.index((t.apex + t.a) / 2));
-            nest(point, lattice_.index((t.apex + t.b) / 2));
         }
-    }
-    void nest(Point& point, std::size_t below) const
-    {
-        point.error = std::max(point.error, double(out_.errors[below]));
-        if (ranges_)
-            point.low = std::min(point.low, out_.low[below]), point.high = std::max(point.high, out_.high[below]);
-    }
-    void finish(const Point& point)
-    {
-        out_.errors[point.at] = rounded_up(point.error);
-        if (ranges_)
-            out_.low[point.at] = point.low, out_.high[point.at] = point.high;
+        const PointBounds bounds = bounds_of_point(lattice_, window_, point, [&](const ivec2& p) { return out_.bounds(p); });
+        out_.errors[at] = bounds.error, out_.low[at] = bounds.low, out_.high[at] = bounds.high;
     }
 
     const HeightMap& map_;
+    HeightWindow window_;
     const Lattice& lattice_;
     NestedErrors& out_;
-    bool whole_, ranges_;
+    bool ranges_;
 };
 
 } // namespace
 
-double triangle_error(const HeightMap& map, const Lattice& lattice, const BisectionTriangle& triangle)
+double triangle_error(const HeightWindow& window, const Lattice& lattice, const BisectionTriangle& triangle)
 {
     ScanResult result;
-    each_fan_triangle(clip_to_map(lattice, triangle), [&](const ivec2& p, const ivec2& q, const ivec2& r) {
-        const HeightPlane plane(map, p, q, r);
-        const bool known = !std::isnan(plane.per_column);
-        each_row(p, q, r, [&](int row, int first, int last) {
-            for (int column = first; column <= last; ++column) {
-                const double height = map.height(column, row);
-                result.add(std::isnan(height) ? height : known ? std::abs(height - plane.at(column, row)) : 0);
-            }
-        });
-    });
+    scan_triangle(window, lattice, triangle, [&](const ivec2& p) { return double(window.height(p)); }, result);
     return result.error();
 }
+
+double triangle_error(const HeightMap& map, const Lattice& lattice, const BisectionTriangle& triangle) { return triangle_error(whole_window(map), lattice, triangle); }
 
 int reach_of_point(int half_hypotenuse, bool diagonal)
 {

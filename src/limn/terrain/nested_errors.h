@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "limn/terrain/height_map.h"
+#include "limn/terrain/height_window.h"
 #include "limn/terrain/lattice.h"
 
 namespace limn {
@@ -44,6 +45,8 @@ NestedErrors nest_errors(const HeightMap& map, const NestedErrorOptions& options
 /// How far the samples of a triangle are from its plane, in metres: the part inside the map, in the polygon's triangles as meshes have them.
 /// Infinite where some but not all samples have no data, 0 where all have none.
 double triangle_error(const HeightMap& map, const Lattice& lattice, const BisectionTriangle& triangle);
+/// @param window  with all samples of the triangle
+double triangle_error(const HeightWindow& window, const Lattice& lattice, const BisectionTriangle& triangle);
 
 /// How far the box around a point's two triangles, and those of all points that need it, reaches from the point, in cells.
 /// @param half_hypotenuse  of the hypotenuse that the point splits, in cells along a row or column: 1, 2, 4 ...

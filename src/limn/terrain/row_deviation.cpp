@@ -17,22 +17,23 @@ namespace limn::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-double deviation(const float* heights, int count, double start, double step)
+double deviation(const float* heights, int count, double start, double step, int from)
 {
     const hn::ScalableTag<double> d;
     const hn::Rebind<float, decltype(d)> narrow;
     const int lanes = int(hn::Lanes(d));
     const auto first = hn::Set(d, start), slope = hn::Set(d, step);
-    auto place = hn::Iota(d, 0.0), worst = hn::Zero(d);
+    auto place = hn::Iota(d, double(from)), worst = hn::Zero(d);
     int i = 0;
     for (; i + lanes <= count; i += lanes) {
         const auto height = hn::PromoteTo(d, hn::LoadU(narrow, heights + i));
-        worst = hn::Max(worst, hn::Abs(hn::Sub(height, hn::Add(first, hn::Mul(slope, place)))));
+        const auto off = hn::Abs(hn::Sub(height, hn::Add(first, hn::Mul(slope, place))));
+        worst = hn::IfThenElse(hn::Gt(off, worst), off, worst); // unlike Max, the same on every machine where `off` is NaN
         place = hn::Add(place, hn::Set(d, double(lanes)));
     }
     double most = hn::GetLane(hn::MaxOfLanes(d, worst));
     for (; i < count; ++i)
-        most = std::max(most, std::abs(double(heights[i]) - (start + step * i)));
+        most = std::max(most, std::abs(double(heights[i]) - (start + step * (from + i))));
     return most;
 }
 
@@ -44,7 +45,10 @@ namespace limn {
 
 HWY_EXPORT(deviation);
 
-double row_deviation(const float* heights, int count, double start, double step) { return HWY_DYNAMIC_DISPATCH(deviation)(heights, count, start, step); }
+double row_deviation(const float* heights, int count, double start, double step, int from)
+{
+    return HWY_DYNAMIC_DISPATCH(deviation)(heights, count, start, step, from);
+}
 
 } // namespace limn
 #endif

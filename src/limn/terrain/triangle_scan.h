@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "limn/terrain/height_map.h"
+#include "limn/terrain/height_window.h"
 #include "limn/terrain/lattice.h"
 #include "limn/terrain/polygon_fan.h"
 
@@ -16,10 +17,11 @@ namespace limn {
 struct HeightPlane {
     ivec2 from;
     double height, per_column, per_row;
-    HeightPlane(const HeightMap& map, const ivec2& p, const ivec2& q, const ivec2& r) : from(p), height(map.height(p.x, p.y))
+    /// @param h  the heights of p, q and r
+    HeightPlane(const ivec2& p, const ivec2& q, const ivec2& r, const dvec3& h) : from(p), height(h.x)
     {
         const dvec2 u(q - p), v(r - p);
-        const double up = double(map.height(q.x, q.y)) - height, vp = double(map.height(r.x, r.y)) - height, area = u.x * v.y - u.y * v.x;
+        const double up = h.y - height, vp = h.z - height, area = u.x * v.y - u.y * v.x;
         per_column = (up * v.y - vp * u.y) / area;
         per_row = (vp * u.x - up * v.x) / area;
     }
@@ -166,5 +168,25 @@ struct ScanResult {
     }
     double error() const { return has_holes && has_data ? std::numeric_limits<double>::infinity() : worst; }
 };
+
+/// Adds the samples in a window of a triangle of the hierarchy: of the part inside the map, in the polygon's triangles as meshes have them.
+/// @param height  of a sample that is a corner, in metres; NaN where it has no data
+template <class Height> void scan_triangle(const HeightWindow& window, const Lattice& lattice, const BisectionTriangle& t, const Height& height, ScanResult& result)
+{
+    each_fan_triangle(clip_to_map(lattice, t), [&](const ivec2& p, const ivec2& q, const ivec2& r) {
+        const HeightPlane plane(p, q, r, {height(p), height(q), height(r)});
+        const bool known = !std::isnan(plane.per_column);
+        each_row(p, q, r, [&](int row, int first, int last) {
+            if (row < window.first.y || row >= window.end.y)
+                return;
+            const int begin = std::max(first, window.first.x), end = std::min(last + 1, window.end.x);
+            const float* heights = begin < end ? window.at(begin, row) : nullptr;
+            for (int column = begin; column < end; ++column) {
+                const double sample = double(heights[column - begin]);
+                result.add(std::isnan(sample) ? sample : known ? std::abs(sample - plane.at(column, row)) : 0);
+            }
+        });
+    });
+}
 
 } // namespace limn
