@@ -88,7 +88,7 @@ private:
         if (!hit)
             return options_.background;
         const dvec3 p = ray.origin + double(hit.distance) * ray.direction;
-        return light(terrain_normal(map_, dvec2(p))) * ground(p.z);
+        return light(options_.normal ? options_.normal(dvec2(p)) : terrain_normal(map_, dvec2(p))) * ground(p.z);
     }
     vec3 ground(double z) const
     {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "limn/base/image.h"
 #include "limn/base/options.h"
 #include "limn/camera/camera.h"
@@ -7,6 +9,9 @@
 #include "limn/terrain/height_map.h"
 
 namespace limn {
+
+/// The upward unit normal of the ground at a place in the map's own coordinates.
+using GroundNormal = std::function<dvec3(const dvec2&)>;
 
 /// How a picture of a terrain is coloured.
 struct TerrainPictureOptions {
@@ -18,6 +23,7 @@ struct TerrainPictureOptions {
     double sun_height = 45;    ///< degrees above the horizon, 0 to 90
     int samples = 3;           ///< rays along each side of a pixel, 1 to 16
     vec3 background = vec3(1); ///< encoded (sRGB)
+    GroundNormal normal = {};  ///< what light falls on; empty: terrain_normal() of the map. From any thread
 };
 
 /// The options as data: colours, sun and samples.

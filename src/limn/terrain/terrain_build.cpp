@@ -9,6 +9,7 @@
 #include "limn/base/error.h"
 #include "limn/terrain/bisection.h"
 #include "limn/terrain/delaunay_mesh.h"
+#include "limn/terrain/length_test.h"
 #include "limn/terrain/nested_errors.h"
 #include "limn/terrain/par.h"
 #include "limn/terrain/terrain_mesh.h"
@@ -27,20 +28,6 @@ double relief(const HeightMap& map)
             low = std::min(low, double(height)), high = std::max(high, double(height));
     return low <= high ? high - low : 0;
 }
-
-/// Whether a hypotenuse is longer than allowed. It depends on the level alone, so both sides of an edge agree, and a longer one is never below.
-class LengthTest {
-public:
-    LengthTest(const HeightMap& map, double max_edge) : longer_(std::max(map.spacing.x, map.spacing.y)), diagonal_(glm::length(map.spacing)), most_(max_edge) {}
-    bool operator()(const BisectionTriangle& t) const
-    {
-        const ivec2 along = glm::abs(t.a - t.b);
-        return most_ > 0 && (along.x == along.y ? along.x * diagonal_ : std::max(along.x, along.y) * longer_) > most_;
-    }
-
-private:
-    double longer_, diagonal_, most_;
-};
 
 Mesh mesh_within(const HeightMap& map, const NestedErrors& errors, const LengthTest& is_too_long, double tolerance)
 {
@@ -156,6 +143,8 @@ const OptionTable<TerrainBuildOptions>& terrain_build_option_table()
     return table;
 }
 
+TerrainBound usual_bound(const HeightMap& map, double exaggerate) { return {relief(map) / exaggerate * share_of_relief, false}; }
+
 HeightMap exaggerated(HeightMap map, double factor)
 {
     if (!(factor > 0 && std::isfinite(factor)))
@@ -169,7 +158,7 @@ HeightMap exaggerated(HeightMap map, double factor)
 BuiltTerrain build_terrain(const HeightMap& map, const TerrainBuildOptions& options, const std::optional<Camera>& camera)
 {
     BuiltTerrain built;
-    built.asked = options.bound.value_or(TerrainBound{relief(map) / options.exaggerate * share_of_relief, false});
+    built.asked = options.bound.value_or(usual_bound(map, options.exaggerate));
     check(options, built.asked, camera.has_value());
     built.mesh = make_mesh(map, options, built.asked, camera);
     measure_built(map, built, options.exaggerate, camera);
