@@ -9,6 +9,7 @@
 #include "limn/base/error.h"
 #include "limn/terrain/bisection.h"
 #include "limn/terrain/delaunay_mesh.h"
+#include "limn/terrain/length_test.h"
 #include "limn/terrain/nested_errors.h"
 #include "limn/terrain/par.h"
 #include "limn/terrain/terrain_mesh.h"
@@ -27,20 +28,6 @@ double relief(const HeightMap& map)
             low = std::min(low, double(height)), high = std::max(high, double(height));
     return low <= high ? high - low : 0;
 }
-
-/// Whether a hypotenuse is longer than allowed. It depends on the level alone, so both sides of an edge agree, and a longer one is never below.
-class LengthTest {
-public:
-    LengthTest(const HeightMap& map, double max_edge) : longer_(std::max(map.spacing.x, map.spacing.y)), diagonal_(glm::length(map.spacing)), most_(max_edge) {}
-    bool operator()(const BisectionTriangle& t) const
-    {
-        const ivec2 along = glm::abs(t.a - t.b);
-        return most_ > 0 && (along.x == along.y ? along.x * diagonal_ : std::max(along.x, along.y) * longer_) > most_;
-    }
-
-private:
-    double longer_, diagonal_, most_;
-};
 
 Mesh mesh_within(const HeightMap& map, const NestedErrors& errors, const LengthTest& is_too_long, double tolerance)
 {
