@@ -10,6 +10,7 @@ struct BenchRequest {
     std::vector<std::size_t> sizes;  ///< triangles, ascending
     std::vector<std::string> models; ///< shapes of `limn sample`
     int views = 0;
+    std::vector<double> bounds;      ///< of meshes of terrain, metres
     std::vector<int> edges;          ///< of square pictures, px
     int runs = 7;                    ///< of whole processes; 0: none
     bool full = false;               ///< the whole protocol of the publication that it repeats, however long that takes

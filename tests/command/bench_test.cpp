@@ -131,6 +131,28 @@ TEST(Bench, HoldsSilhouettesBesideUniformLevels)
     EXPECT_EQ(run_limn(LIMN_COMMAND, "bench silhouette --models nothing").exit_code, 2);
 }
 
+/// Checklist 1 of the terrain specification by way of the command: what strict meshes of terrain G have.
+TEST(Bench, CountsTrianglesOfTerrain)
+{
+    const ProgramResult result = run_limn(LIMN_COMMAND, "bench terrain --models reference,spike --bounds 16,4 --sizes 100,129 --views 20 --runs 1 --quiet --json");
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const nlohmann::json report = nlohmann::json::parse(result.output), &rows = report["triangles"];
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0]["strict"], "14,611");
+    EXPECT_EQ(rows[1]["strict"], "61,085");
+    EXPECT_LE(report["worst_share_of_bound"].get<double>(), 1);
+    EXPECT_EQ(report["mesh_ms"].size(), 4u);
+    EXPECT_EQ(report["set_up_ms"].size(), 2u);
+    EXPECT_EQ(report["prepared_ms"][0]["samples"], "100 x 100");
+    EXPECT_EQ(report["flight_ms"].size(), 5 * report["prepared_ms"].size() / 2);
+    for (const nlohmann::json& row : rows)
+        if (row["RTIN"] != "-") { // the peer is there
+            EXPECT_LE(std::stod(row["strict/RTIN"].get<std::string>()), 1.05) << row;
+        }
+    EXPECT_EQ(run_limn(LIMN_COMMAND, "bench terrain --models nothing.tif --quiet").exit_code, 1);
+    EXPECT_EQ(run_limn(LIMN_COMMAND, "bench terrain --sizes 1M --quiet").exit_code, 2);
+}
+
 TEST(Bench, NamesWhatItCannotMeasure)
 {
     const ProgramResult unknown = run_limn(LIMN_COMMAND, "bench cheese");

@@ -61,6 +61,7 @@ TEST(ObjReader, CountsNegativeIndicesFromTheLineTheyStandIn)
     EXPECT_EQ(mesh.triangles[1], uvec3(0, 2, 3));
 }
 
+/// Checklist 1 of the silhouette specification.
 TEST(ObjReader, KeepsSeparateIndicesOfTextureAndNormal)
 {
     const Mesh mesh = read_text(square + "vt 0 0\nvt 0.5 0.25 7\nvn 0 0 2\nvn 3 0 0\nf 1/1/2 2/2/1 3//1\nf 1 3/2 4\n", as_it_stands).mesh;

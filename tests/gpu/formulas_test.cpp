@@ -64,6 +64,8 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/sobel.glsl"
 #include "limn/formulas/texture_lines.glsl"
 #include "limn/formulas/crease_outline.glsl"
+#include "limn/formulas/direction_grid.glsl"
+#include "limn/formulas/hermite_edge.glsl"
 #include "limn/formulas/suggestive_line.glsl"
 #include "limn/formulas/terrain_bound.glsl"
 #include "limn/formulas/terrain_error.glsl"
@@ -293,7 +295,44 @@ Values suggestive_pieces(const Point& p, const RadialTerms&)
     return {{{1, 0}, {float(piece.edge_a * 4 + piece.edge_b), 0}, {piece.a.x, 6 * cut}, {piece.b.y, 6 * cut}, {piece.ink_a, 6 * cut}, {piece.ink_b, 6 * cut}}};
 }
 
+/// Directions, there and back, and frames of places in one of the three grids: the device has another one for each third of the points.
+Values directions(const Point& p, const RadialTerms&)
+{
+    const int kind = int(p.k.w * 2.999f);
+    const vec2 place = place_of_direction(kind, vec3(p.n));
+    const MapFrame back = frame_of_place(kind, place), frame = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w));
+    const vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w));
+    return {{{place.x, 1}, {dot(back.towards, vec3(p.v)), 10}, {sum({frame.right.x, frame.up.y}), 2}, {dot(frame.up, vec3(1, 2, 3)), 6}, {dot(frame.towards, vec3(1, 2, 3)), 6},
+             {folded.x - folded.y, 2}}};
+}
+
+/// Tangents lose digits where they are made longer.
+Values bent_edges(const Point& p, const RadialTerms&)
+{
+    const dvec3 from(p.v), to(p.e2), n1(p.n), n2(p.e1);
+    const double weight = double(p.k.z), size = glm::length(to - from);
+    const EdgeTangents t = edge_tangents(from, to, n1, n2);
+    const float a = float(size / glm::length(to - from - n1 * glm::dot(to - from, n1))), b = float(size / glm::length(to - from - n2 * glm::dot(to - from, n2)));
+    const float term = 6 * std::max({1.0f, a, b});
+    const dvec3 middle = edge_middle(from, to, t, weight);
+    return {{{float(middle.x), term}, {float(middle.y), term}, {float(edge_quarter(t, weight).x), term}, {float(edge_three_quarters(t, weight).y), term},
+             {float(along_edge(from, to, middle)), term / float(size)}, {float(across_edge(from, to, n1).z), 1}}};
+}
+
+Values edge_normals(const Point& p, const RadialTerms&)
+{
+    const dvec3 from(p.v), to(p.e2), n1(p.n), n2(p.e1);
+    const dvec3 plain = edge_normal(from, to, n1, n2, double(p.k.z), false), mirrored = edge_normal(from, to, n1, n2, double(p.k.z), true);
+    const bool serpentine = is_serpentine(from, from + n1, n1 + n2, p.k.z > 0.5f ? n1 : -n1);
+    return {{{float(plain.x), 2}, {float(plain.z), 2}, {float(mirrored.x), 2}, {float(mirrored.z), 2}, {serpentine ? 1.0f : 0.0f, 0}}};
+}
+
 const Formula formulas_of_the_library[] = {
+    {"direction_grid",
+     "int kind = int(p.k.w * 2.999f); vec2 place = place_of_direction(kind, n); MapFrame back = frame_of_place(kind, place);"
+     "MapFrame f = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w)); vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w)); r[0] = place.x;"
+     "r[1] = dot(back.towards, v); r[2] = abs(f.right.x) + abs(f.up.y); r[3] = dot(f.up, vec3(1, 2, 3)); r[4] = dot(f.towards, vec3(1, 2, 3)); r[5] = folded.x - folded.y;",
+     directions},
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
      "r[0] = radial_curvature(t, p.k.x, p.k.y); r[1] = radial_curvature_derivative(t, p.k.x, p.k.y, p.derivative);"
@@ -371,12 +410,14 @@ const Formula formulas_of_the_library[] = {
     {"toon_tone", "float lit = (floor(p.k.z * 20.0f) + 0.5f) / 20.0f; r[0] = toon_tone(lit, 0.3f, 2.0f); r[1] = toon_tone(lit, 0.31f, 5.0f);", toon},
     {"terrain error",
      "ErrorCamera c = ErrorCamera(p.e1.xyz, p.e2.xyz, n, 1000.0f, 0.01f, 0.0f); vec3 at = v + 6.0f * n;"
-     "r[0] = height_error_exact(c, at, 0.5f * p.k.z); r[1] = height_error_any_way(c, at, 0.5f * p.k.z); r[2] = height_error_exact(c, -at, p.k.z);",
+     "r[0] = height_error_exact(c, at, 0.5f * p.k.z); r[1] = height_error_any_way(c, at, 0.5f * p.k.z); r[2] = height_error_exact(c, -at, p.k.z);"
+     "r[3] = height_off_chord(v.x, v.y, v.z);",
      [](const Point& p, const RadialTerms&) -> Values {
          const ErrorCamera c = {vec3(p.e1), vec3(p.e2), vec3(p.n), 1000.0f, 0.01f, 0.0f};
          const vec3 at = vec3(p.v) + 6.0f * vec3(p.n);
          const float exact = height_error_exact(c, at, 0.5f * p.k.z), z = dot(c.forward, at), far_z = z + 0.5f * p.k.z * c.forward.z;
-         return {Value{exact, 500.0f * p.k.z * 4 * length(at) / (z * far_z)}, {height_error_any_way(c, at, 0.5f * p.k.z), 1000.0f}, {height_error_exact(c, -at, p.k.z), NO_BOUND}};
+         return {Value{exact, 500.0f * p.k.z * 4 * length(at) / (z * far_z)}, {height_error_any_way(c, at, 0.5f * p.k.z), 1000.0f}, {height_error_exact(c, -at, p.k.z), NO_BOUND},
+                 {float(height_off_chord(double(p.v.x), double(p.v.y), double(p.v.z))), sum({p.v.x, p.v.y, p.v.z})}};
      }},
     {"terrain bound",
      "BoundCamera c = BoundCamera(p.e1.xyz, p.e2.xyz, n, 1000.0f, 0.01f, 0.0f); vec3 at = v + 6.0f * n; vec3 reach = 0.2f * vec3(p.k.z, p.k.w, 0.5f);"
@@ -387,6 +428,14 @@ const Formula formulas_of_the_library[] = {
          const float bound = float(height_error_bound(c, dvec3(at), dvec3(reach), double(p.k.w), double(1e-4f)));
          return {Value{bound, 10 * bound + 1}, {box_may_be_seen(c, dvec2(double(0.4f), double(0.3f)), dvec3(at), dvec3(reach), double(1e-4f)) ? 1.0f : 0.0f, 1}};
      }},
+    {"edge_tangents, edge_middle, edge_quarter, edge_three_quarters, along_edge, across_edge",
+     "EdgeTangents e = edge_tangents(v, p.e2.xyz, n, p.e1.xyz); vec3 m = edge_middle(v, p.e2.xyz, e, p.k.z); r[0] = m.x; r[1] = m.y;"
+     "r[2] = edge_quarter(e, p.k.z).x; r[3] = edge_three_quarters(e, p.k.z).y; r[4] = along_edge(v, p.e2.xyz, m); r[5] = across_edge(v, p.e2.xyz, n).z;",
+     bent_edges},
+    {"is_serpentine, edge_normal",
+     "vec3 m = edge_normal(v, p.e2.xyz, n, p.e1.xyz, p.k.z, false); vec3 s = edge_normal(v, p.e2.xyz, n, p.e1.xyz, p.k.z, true); r[0] = m.x; r[1] = m.z;"
+     "r[2] = s.x; r[3] = s.z; r[4] = is_serpentine(v, v + n, n + p.e1.xyz, p.k.z > 0.5f ? n : -n) ? 1.0f : 0.0f;",
+     edge_normals},
 };
 
 class GpuFormulas : public Gpu {};

@@ -84,7 +84,8 @@ TEST_F(GpuLit, EachObjectHasAMaterialOfItsOwn)
     EXPECT_THROW(gpu::LitRenderer(model).render(camera, options), Error::Input);
 }
 
-// Control meshes with their normals in a map: two objects share one, turned, and a third has its own.
+// Checklist 30 and 36 of the silhouette specification: control meshes with their normals in a map; two objects share one, turned, and a third has
+// its own.
 TEST_F(GpuLit, NormalsFromMapsAreThoseOfTheProcessor)
 {
     SubdivisionOptions options;

@@ -10,6 +10,7 @@
 #include "limn/scene/render.h"
 #include "limn/scene/scene_json.h"
 #include "limn/subdivision/control_samples.h"
+#include "limn/subdivision/loop_refine.h"
 #include "limn/subdivision/subdivide.h"
 #include "support/support.h"
 
@@ -164,6 +165,27 @@ TEST(LoopModel, IsTheSameForAnyNumberOfThreads)
     const Image one = with_threads(1, [&] { return render(loop_scene(control), camera); });
     for (const int threads : {2, 3})
         EXPECT_EQ(with_threads(threads, [&] { return render(loop_scene(control), camera); }).samples, one.samples);
+}
+
+/// Checklist 42: of a scheme only the masks are its own. That which puts vertices into the middles of edges changes nothing in the picture.
+TEST(LoopModel, PicturesOfAnotherSchemeNeedNothingElse)
+{
+    const Mesh control = make_control_sample("creature");
+    ControlMesh linear = make_control_mesh(control);
+    for (int level = 0; level < 2; ++level) {
+        for (std::uint32_t e = 0; e < linear.topology.edge_count(); ++e) {
+            const std::uint32_t h = linear.topology.half_edge[e];
+            linear.positions.push_back(0.5 * (linear.positions[linear.topology.start(h)] + linear.positions[linear.topology.end(h)]));
+        }
+        linear.topology = refine(linear.topology);
+    }
+    Mesh fine;
+    fine.positions = linear.positions;
+    fine.triangles = linear.topology.triangles;
+    Scene flat = scene_of(control), refined = scene_of(fine);
+    flat.render.shading = refined.render.shading = Shading::flat;
+    const Camera camera = camera_for(control, "iso");
+    EXPECT_LT(share_beyond(render(refined, camera), render(flat, camera), 1), 1e-4);
 }
 
 TEST(LoopModel, SeedAndOffAndVertexNormalsMakePicturesToo)

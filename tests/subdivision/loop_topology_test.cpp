@@ -7,7 +7,7 @@
 namespace limn::test {
 namespace {
 
-/// Twins, edge numbers and leaving half-edges agree with each other.
+/// Checklist 2: twins, edge numbers and leaving half-edges agree with each other.
 void expect_consistent(const LoopTopology& t, const std::string& name)
 {
     ASSERT_EQ(t.twin.size(), 3 * t.triangles.size()) << name;
@@ -33,7 +33,7 @@ void expect_consistent(const LoopTopology& t, const std::string& name)
     ASSERT_EQ(spokes, t.twin.size()) << name; // every corner is seen once: the fans are whole
 }
 
-/// Checklist 4.
+/// Checklist 3 and 4.
 TEST(LoopTopology, OfAnOctahedronGrowsAsEulerTells)
 {
     LoopTopology t = make_control_mesh(octahedron()).topology;

@@ -72,7 +72,7 @@ struct ModelErrors {
     double coarse = 0, seed = 0, exact = 0; ///< px^2: areas
     double most_coarse = 0, most_seed = 0, most_exact = 0, mean_exact = 0, area_distance = 0; ///< px
     double gaps = 0, gaps_in_front = 0; ///< px^2
-    std::size_t worst_view = 0, above = 0, areas_above = 0; ///< above: views with an exact outline, or an area, that is somewhere more than 0.6 px off
+    std::size_t worst_view = 0; ///< where the exact outline is furthest off
 };
 
 ModelErrors measure(const OutlineSubject& subject, int views)
@@ -85,7 +85,6 @@ ModelErrors measure(const OutlineSubject& subject, int views)
         if (e.exact.most() > all.most_exact)
             all.worst_view = i;
         all.area_distance = std::max(all.area_distance, e.area_distance);
-        all.above += e.exact.most() > 0.6, all.areas_above += e.area_distance > 0.6;
         all.coarse += e.coarse.difference / views, all.seed += e.seed.difference / views, all.exact += e.exact.difference / views;
         all.most_coarse = std::max(all.most_coarse, e.coarse.most());
         all.most_seed = std::max(all.most_seed, e.seed.most());
@@ -97,27 +96,24 @@ ModelErrors measure(const OutlineSubject& subject, int views)
     return all;
 }
 
-/// Checklist 31 and 39, at 1024 x 1024 pixels against a mesh that is within 0.05 px of the limit surface. In 800 views nothing that only one of
-/// the two covers, and no outline, was more than 0.56 px away from the other; what is allowed here is from before outlines were followed more
-/// closely where they cross at acute angles. Where faces that turn away are not drawn, a few samples may show through at triangles that show
-/// the wrong side.
+/// Checklist 31 and 39, at 1024 x 1024 pixels against a mesh that is within 0.05 px of the limit surface. Nowhere is the outline
+/// more than 0.6 px away from the other, nor anything that only one of the two covers: corners where two contours cross in the picture at an acute
+/// angle included, though they move further than the contours do. Triangles that show the wrong side stick out by less than 0.3 px; where faces
+/// that turn away are not drawn, a few samples may show through there.
 void check_outlines(const std::vector<NamedMesh>& models, int views)
 {
-    std::size_t above = 0, areas_above = 0;
     for (const auto& [name, mesh] : models) {
         const ModelErrors e = measure(OutlineSubject(mesh), views);
-        fmt::print("{}: symmetric difference {:.1f} px^2 coarse, {:.1f} seed, {:.1f} exact; maximum {:.2f} px coarse, {:.2f} seed, {:.3f} exact (view {}; {} above 0.6), areas {:.3f}, mean up to {:.3f}; "
+        fmt::print("{}: symmetric difference {:.1f} px^2 coarse, {:.1f} seed, {:.1f} exact; maximum {:.2f} px coarse, {:.2f} seed, {:.3f} exact (view {}), areas {:.3f}, mean up to {:.3f}; "
                    "gaps {:.2f}, in front {:.2f} px^2\n",
-                   name, e.coarse, e.seed, e.exact, e.most_coarse, e.most_seed, e.most_exact, e.worst_view, e.above, e.area_distance, e.mean_exact, e.gaps, e.gaps_in_front);
-        EXPECT_LE(e.area_distance, 1.2) << name;
+                   name, e.coarse, e.seed, e.exact, e.most_coarse, e.most_seed, e.most_exact, e.worst_view, e.area_distance, e.mean_exact, e.gaps, e.gaps_in_front);
+        EXPECT_LE(e.most_exact, 0.6) << name << ", view " << e.worst_view;
+        EXPECT_LE(e.area_distance, 0.6) << name;
         EXPECT_LE(e.mean_exact, 0.1) << name;
         EXPECT_LE(e.gaps, 0.2) << name;
         EXPECT_LE(e.gaps_in_front, 1) << name;
         EXPECT_LE((name == "rook" ? 1.5 : 3) * e.seed, e.coarse) << name; // the seed does not see the rook's narrow rounded edges
-        above += e.above, areas_above += e.areas_above;
     }
-    EXPECT_LE(double(areas_above), 0.01 * double(views) * double(models.size()));
-    EXPECT_LE(double(above), 0.05 * double(views) * double(models.size()));
 }
 
 TEST(Outline, IsThatOfTheLimitSurface)
@@ -141,6 +137,8 @@ TEST(Outline, IsHeldAgainstANearReferenceSlow)
 }
 
 /// Checklist 32: where the surface is in front of itself, by a part of its size. The reference is a uniform mesh, which has no gaps.
+/// Triangles that face the eye are within a pixel of the surface, as in pictures: coarser ones lie so far behind it that contours show which it
+/// hides, 24 px from any that it shows in view 7 of the bent cylinder.
 void check_inner_contours(const std::vector<std::string>& names, int views)
 {
     SubdivideOptions fine;
@@ -149,19 +147,23 @@ void check_inner_contours(const std::vector<std::string>& names, int views)
     for (const std::string& name : names) {
         const Mesh mesh = make_control_sample(name), reference = subdivide(mesh, fine).mesh;
         const ExactSubject subject(mesh);
-        double coarse = 0, exact = 0;
+        ExactSilhouetteOptions options;
+        options.surface_error = 1;
+        double coarse = 0, exact = 0, most = 0; // px
         for (int number = 0; number < views; ++number) {
             const Camera camera = any_view(subject.bounds(), number);
             const double step = 0.04 * subject.bounds().radius();
             const DepthMap wanted = depth_map(reference, camera);
-            const DepthEdgeError of_exact = compare_depth_edges(depth_map(exact_silhouette(subject.pose(), camera).mesh, camera), wanted, step);
+            const DepthEdgeError of_exact = compare_depth_edges(depth_map(exact_silhouette(subject.pose(), camera, options).mesh, camera), wanted, step);
             const DepthEdgeError of_coarse = compare_depth_edges(depth_map(coarse_mesh(subject), camera), wanted, step);
             exact += of_exact.mean_beyond + of_exact.mean_short_of;
+            most = std::max({most, of_exact.beyond, of_exact.short_of});
             coarse += of_coarse.mean_beyond + of_coarse.mean_short_of;
             fmt::print("{}, view {}: {} samples of inner contours, mean distance {:.3f} and {:.3f} px, at most {:.2f} and {:.2f}; coarse {:.3f} and {:.3f}, at most {:.2f} and {:.2f}\n", name,
                        number, of_exact.wanted, of_exact.mean_beyond, of_exact.mean_short_of, of_exact.beyond, of_exact.short_of, of_coarse.mean_beyond,
                        of_coarse.mean_short_of, of_coarse.beyond, of_coarse.short_of);
         }
+        EXPECT_LE(most, 0.6) << name;
         EXPECT_LT(3 * exact, coarse) << name;
     }
 }

@@ -87,6 +87,7 @@ TEST(Subdivide, InStepsIsTheSameAsAtOnceBecauseCreasesStayTagged)
     EXPECT_TRUE(subdivide(tagged, {.levels = 3, .crease_tags = false}).mesh.creases.empty());
 }
 
+/// Checklist 9 and 10: every edge is a seam here, and none of them tears.
 TEST(Subdivide, TakesTextureCoordinatesColoursAndGroupsDown)
 {
     Mesh mesh = octahedron();
@@ -98,6 +99,7 @@ TEST(Subdivide, TakesTextureCoordinatesColoursAndGroupsDown)
     mesh.group_names = {"above", "below"};
     const Mesh fine = subdivide(mesh, {.levels = 2}).mesh;
     ASSERT_EQ(fine.corner_uvs.size(), 8u * 16 * 3);
+    EXPECT_EQ(fine.positions.size(), 66u);
     EXPECT_EQ(fine.corner_uvs[0], vec2(0, 1));
     EXPECT_EQ(fine.corner_uvs[1], vec2(0.25f, 1));
     ASSERT_EQ(fine.colours.size(), fine.positions.size());

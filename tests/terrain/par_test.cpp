@@ -38,9 +38,9 @@ TEST(Par, GivesTheGoldenCounts)
     const HeightMap map = reference_terrain();
     const Lattice lattice = make_lattice(257, 257);
     ASSERT_EQ(lattice.roots, ivec2(1, 1));
-    for (const Golden& g : {Golden{0, 123800, 10, 2, 0, 0}, Golden{1, 106544, 10, 3, 1, 0}, Golden{2, 94872, 11, 3, 5.75, 12}, Golden{4, 60440, 11, 4, 12, 84},
-                            Golden{8, 32268, 12, 5, 23.25, 555}, Golden{16, 11619, 10, 5, 30.75, 1201}, Golden{32, 4023, 10, 4, 55.25, 1139},
-                            Golden{64, 473, 8, 4, 125.594, 3244}}) {
+    for (const Golden& g : {Golden{0, 123800, 10, 2, 0, 0}, Golden{1, 106544, 10, 3, 1, 0}, Golden{2, 94872, 11, 3, 5.75, 12},
+                            Golden{4, 60440, 11, 4, 12, 84}, Golden{8, 32268, 12, 5, 23.25, 555}, Golden{16, 11619, 10, 5, 30.75, 1201},
+                            Golden{32, 4023, 10, 4, 55.25, 1139}, Golden{64, 473, 8, 4, 125.594, 3244}}) {
         const ParResult par = refine(map, lattice, g.tolerance);
         EXPECT_EQ(par.triangles.size(), g.triangles) << g.tolerance;
         EXPECT_EQ(int(par.steps.size()) - 1, g.splitting_steps) << g.tolerance;
@@ -60,11 +60,14 @@ TEST(Par, GivesTheGoldenTrace)
 {
     const HeightMap map = reference_terrain();
     const ParResult par = refine(map, make_lattice(257, 257), 8);
-    const std::vector<std::array<std::size_t, 3>> wanted = {{2, 2, 8}, {1, 0, 31}, {2, 1, 118}, {2, 31, 447}, {2, 189, 1649}, {2, 550, 5703}, {3, 1370, 14797},
-                                                            {4, 2450, 25610}, {4, 1558, 30993}, {5, 382, 32154}, {3, 36, 32258}, {3, 3, 32268}, {1, 0, 32268}};
+    const std::vector<std::array<std::size_t, 3>> wanted = {
+        {2, 2, 8},        {1, 0, 31},       {2, 1, 118},     {2, 31, 447},   {2, 189, 1649}, {2, 550, 5703}, {3, 1370, 14797},
+        {4, 2450, 25610}, {4, 1558, 30993}, {5, 382, 32154}, {3, 36, 32258}, {3, 3, 32268},  {1, 0, 32268}};
     ASSERT_EQ(par.steps.size(), wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i)
-        EXPECT_EQ((std::array<std::size_t, 3>{std::size_t(par.steps[i].mark_passes), par.steps[i].marks, par.steps[i].triangles}), wanted[i]) << i;
+        EXPECT_EQ((std::array<std::size_t, 3>{std::size_t(par.steps[i].mark_passes), par.steps[i].marks, par.steps[i].triangles}),
+                  wanted[i])
+            << i;
 }
 
 TEST(Par, StartsFromFinerMeshesToo)
@@ -82,7 +85,9 @@ TEST(Par, SplitsAParaboloidEvenly)
 {
     const HeightMap map = map_of(257, 257, [](int x, int y) { return x * x + y * y; });
     const Lattice lattice = make_lattice(257, 257);
-    for (const auto& [tolerance, triangles, off] : {std::tuple(0.0, 131072u, 0.0), std::tuple(1.0, 65536u, 1.0), std::tuple(2.0, 32768u, 2.0), std::tuple(8.0, 8192u, 8.0), std::tuple(32.0, 2048u, 32.0)}) {
+    for (const auto& [tolerance, triangles, off] :
+         {std::tuple(0.0, 131072u, 0.0), std::tuple(1.0, 65536u, 1.0), std::tuple(2.0, 32768u, 2.0), std::tuple(8.0, 8192u, 8.0),
+          std::tuple(32.0, 2048u, 32.0)}) {
         const ParResult par = refine(map, lattice, tolerance);
         EXPECT_EQ(par.triangles.size(), triangles) << tolerance;
         EXPECT_EQ(measure_terrain(map, terrain_mesh(map, lattice, par.triangles), tolerance).maximum, off) << tolerance;

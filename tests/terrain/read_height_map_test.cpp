@@ -267,6 +267,29 @@ TEST_F(ReadHeightMap, ATruncatedFileIsAnErrorAndNotZeros)
     EXPECT_TRUE(refusal(path("a.asc")).starts_with("rows ")) << refusal(path("a.asc"));
 }
 
+TEST_F(ReadHeightMap, WordsOfAnAsciiGridAreNumbers)
+{
+    const std::string header = "ncols 3\nnrows 2\nxllcorner 0\nYLLCORNER 0\ncellsize 10\nNODATA_value -9999\n";
+    const auto grid = [&](const std::string& heights) {
+        write_text(path("a.asc"), header + heights);
+        return path("a.asc");
+    };
+    for (const char* word : {"nan", "-9999", "NaN", "inf", "-Infinity"}) { // the others look like whole numbers
+        const HeightMap map = read_height_map(grid(fmt::format("1 2 3\n4 {} 6\n", word)));
+        EXPECT_FALSE(map.has_data(1, 1)) << word;
+        EXPECT_EQ(map.height(2, 1), 6) << word;
+    }
+    EXPECT_EQ(read_height_map(grid("1 2 3\r\n4 -5.5e+1 .5")).heights, (std::vector<float>{1, 2, 3, 4, -55, 0.5}));
+    for (const char* word : {"abc", "12x", "1.2.3", "--4", "1e", ".", "5m"})
+        EXPECT_EQ(refusal(grid(fmt::format("1 2 3\n4 {} 6\n", word))), fmt::format("line 8: '{}' is no number", word));
+    EXPECT_EQ(refusal(grid("abc 2 3\n4 5 6\n")), "line 7: 'abc' is no number");
+    std::string heights; // with words that blocks of the file cut in two
+    for (int i = 0; i < 400000; ++i)
+        heights += fmt::format("{} ", i % 97 * 13);
+    write_text(path("large.asc"), "ncols 1000\nnrows 400\nxllcorner 0\nyllcorner 0\ncellsize 1\n" + heights + "\n");
+    EXPECT_EQ(read_height_map(path("large.asc")).heights[123456], float(123456 % 97 * 13));
+}
+
 TEST_F(ReadHeightMap, SaysNothingOnStandardErrorItself)
 {
     const std::string whole = read_file(write("whole.tif", {.columns = 300, .rows = 200}));

@@ -17,7 +17,9 @@ namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/crease_outline.glsl"
+#include "limn/formulas/direction_grid.glsl"
 #include "limn/formulas/edge_zero.glsl"
+#include "limn/formulas/hermite_edge.glsl"
 #include "limn/formulas/normal_map.glsl"
 #include "limn/formulas/radial_curvature.glsl"
 #include "limn/formulas/shader_lines.glsl"

@@ -16,6 +16,13 @@ struct ErrorCamera {
     float is_parallel; // 1 or 0
 };
 
+// How far above the middle of an edge the terrain is: heights of the edge's ends and of the terrain at its middle. The same for both orders of the
+// ends; differences first, so that heights far from 0 lose no digits.
+FORMULA REAL height_off_chord(const REAL a, const REAL middle, const REAL b)
+{
+    return REAL(0.5f) * ((middle - a) + (middle - b));
+}
+
 // The distance in the picture between a place and the one dz above it.
 FORMULA float height_error_exact(const ErrorCamera camera, const vec3 place, const float dz)
 {

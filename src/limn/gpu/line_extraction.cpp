@@ -25,18 +25,6 @@ constexpr std::size_t command_bytes = 4 * sizeof(unsigned), fill_groups_at = 3 *
 
 std::size_t blocks_of(std::size_t elements) { return (elements + block_size - 1) / block_size; }
 
-/// A shader sees only so much of a buffer.
-/// @return bytes
-std::size_t storage_bytes(std::size_t count, std::size_t size, const char* what)
-{
-    GLint64 most = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    if (count * size > std::size_t(most))
-        throw Error::Device(fmt::format("{} {} take {} bytes on the GPU, whose shaders see at most {} of a buffer (at most {} {})", count, what,
-                                        count * size, most, std::size_t(most) / size, what));
-    return count * size;
-}
-
 /// One vec4 per vertex.
 template <class At> Buffer upload_vertices(std::size_t count, At&& at)
 {

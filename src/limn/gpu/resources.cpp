@@ -73,6 +73,36 @@ void Buffer::read_bytes(std::size_t offset, std::size_t bytes, void* data) const
 
 void Buffer::bind_storage(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
 
+std::size_t storage_bytes(std::size_t count, std::size_t size, const char* what)
+{
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    if (count * size > std::size_t(most))
+        throw Error::Device(fmt::format("{} {} take {} bytes on the GPU, whose shaders see at most {} of a buffer (at most {} {})", count,
+                                        what, count * size, most, std::size_t(most) / size, what));
+    return count * size;
+}
+
+void Fence::set()
+{
+    clear();
+    sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+}
+
+bool Fence::has_passed() const
+{
+    const GLenum state = sync_ ? glClientWaitSync(static_cast<GLsync>(sync_), 0, 0) : GLenum(GL_ALREADY_SIGNALED);
+    return state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED;
+}
+
+void Fence::clear()
+{
+    if (sync_)
+        glDeleteSync(static_cast<GLsync>(sync_));
+    sync_ = nullptr;
+}
+
 Texture make_texture(Format format, ivec2 size)
 {
     unsigned id = 0;
@@ -111,7 +141,8 @@ Texture make_texture_array(const std::vector<const Image*>& layers)
     const ivec2 size = layers[0]->size();
     glTextureStorage3D(id, 1, GL_RGBA16, size.x, size.y, GLsizei(layers.size()));
     for (std::size_t k = 0; k < layers.size(); ++k)
-        glTextureSubImage3D(id, 0, 0, 0, GLint(k), size.x, size.y, 1, layers[k]->channels == 3 ? GL_RGB : GL_RGBA, GL_FLOAT, layers[k]->samples.data());
+        glTextureSubImage3D(id, 0, 0, 0, GLint(k), size.x, size.y, 1, layers[k]->channels == 3 ? GL_RGB : GL_RGBA, GL_FLOAT,
+                            layers[k]->samples.data());
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     check_room(fmt::format("{} textures of {} x {}", layers.size(), size.x, size.y));
@@ -153,7 +184,10 @@ void Framebuffer::clear(int colour, unsigned value) const
 void Framebuffer::clear_depth(float value) const { glClearNamedFramebufferfv(name_.id(), GL_DEPTH, 0, &value); }
 
 std::vector<vec4> Framebuffer::read_floats(int index) const { return read_texture<vec4>(colour(index), size_, GL_RGBA, GL_FLOAT); }
-std::vector<unsigned> Framebuffer::read_unsigned(int index) const { return read_texture<unsigned>(colour(index), size_, GL_RED_INTEGER, GL_UNSIGNED_INT); }
+std::vector<unsigned> Framebuffer::read_unsigned(int index) const
+{
+    return read_texture<unsigned>(colour(index), size_, GL_RED_INTEGER, GL_UNSIGNED_INT);
+}
 std::vector<float> Framebuffer::read_depth() const { return read_texture<float>(depth_, size_, GL_DEPTH_COMPONENT, GL_FLOAT); }
 
 Timer::Timer()

@@ -67,6 +67,31 @@ private:
     std::size_t bytes_ = 0;
 };
 
+/// Bytes of so many things in a buffer that shaders read.
+/// @param what  for the message, in the plural
+/// @throws Error::Device where shaders do not see so much of a buffer
+std::size_t storage_bytes(std::size_t count, std::size_t size, const char* what);
+
+/// Tells when the device has done all that was queued before.
+class Fence {
+public:
+    void set(); ///< from here on
+    bool is_set() const { return sync_ != nullptr; }
+    bool has_passed() const; ///< does not wait
+    void clear();
+    Fence() = default;
+    ~Fence() { clear(); }
+    Fence(Fence&& other) noexcept : sync_(std::exchange(other.sync_, nullptr)) {}
+    Fence& operator=(Fence&& other) noexcept
+    {
+        std::swap(sync_, other.sync_);
+        return *this;
+    }
+
+private:
+    void* sync_ = nullptr; ///< a GLsync
+};
+
 /// The formats of pictures on the device.
 enum class Format : std::uint8_t { rgba8, r32f, rgba32f, r32ui, depth32f };
 

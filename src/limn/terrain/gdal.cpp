@@ -8,6 +8,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/file.h"
+#include "limn/terrain/ascii_grid.h"
 
 namespace limn::gdal {
 namespace {
@@ -100,7 +101,14 @@ Dataset open(const std::string& file)
     const std::string path = file == "-" ? standard_input_in_memory() : file;
     if (file != "-")
         check_file(path);
-    Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+    constexpr unsigned flags = GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
+    Dataset dataset(GDALDataset::Open(path.c_str(), flags));
+    if (dataset && dataset->GetDriver() && std::string_view(dataset->GetDriver()->GetDescription()) == "AAIGrid") {
+        check_ascii_grid(path, name_of(file));
+        const char* const whole_range[] = {"DATATYPE=Float64", nullptr}; // it takes the first heights' word for all, and nan for 0 in whole numbers
+        dataset.release()->Release();
+        dataset.reset(GDALDataset::Open(path.c_str(), flags, nullptr, whole_range));
+    }
     if (dataset)
         return dataset;
     if (file == "-")

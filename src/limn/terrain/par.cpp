@@ -1,5 +1,8 @@
 #include "limn/terrain/par.h"
 
+#include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +32,7 @@ public:
         const std::size_t i = lattice_.index(p);
         words_[i / 64] |= std::uint64_t(1) << (i % 64);
     }
+    void clear() { std::fill(words_.begin(), words_.end(), 0); }
 
 private:
     const Lattice& lattice_;
@@ -76,87 +80,120 @@ void append_parts(const BisectionTriangle& t, unsigned edges, std::vector<Bisect
     }
 }
 
+/// Triangles, and which of them the last step made: the edges of others have passed the test.
+struct ParMesh {
+    std::vector<BisectionTriangle> triangles;
+    std::vector<std::uint8_t> fresh;
+};
+
 /// One step: what is split is found by passes that each read the marks of earlier ones.
 class Step {
 public:
-    Step(EdgeErrorMap& marks, const std::vector<BisectionTriangle>& triangles, const EdgeTest& test, const TriangleTest& visible)
-        : marks_(marks), triangles_(triangles), edges_(triangles.size())
+    Step(EdgeErrorMap& marks, const ParMesh& mesh, const EdgeTest& test, const TriangleTest& visible)
+        : marks_(marks), mesh_(mesh), edges_(mesh.triangles.size())
     {
-        parallel_each(triangles.size(), grain, [&](std::size_t i) {
-            const bool seen = !visible || visible(triangles[i]);
-            edges_[i] = std::uint8_t(seen ? tested_edges(triangles[i], test) : culled);
+        std::atomic<std::size_t> tested = 0;
+        parallel_blocks(edges_.size(), grain, [&](std::size_t begin, std::size_t end) {
+            std::size_t count = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (mesh.fresh[i] == 0 || (visible && !visible(mesh.triangles[i])))
+                    continue;
+                edges_[i] = std::uint8_t(tested_edges(mesh.triangles[i], test));
+                ++count;
+            }
+            tested += count;
         });
+        tested_ = tested;
     }
+    std::size_t tested() const { return tested_; }
     /// @return how many marks were made
     std::size_t mark()
     {
-        const std::vector<ivec2> found = parallel_collect<ivec2>(triangles_.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<ivec2>& out) {
-            for (std::size_t i = begin; i < end; ++i) {
-                if (edges_[i] == culled)
-                    continue;
-                edges_[i] = std::uint8_t(marked_edges(marks_, triangles_[i], edges_[i]));
-                if (edges_[i] != 0 && edges_[i] < hypotenuse)
-                    out.push_back(triangles_[i].middle());
-            }
-        });
+        const std::vector<ivec2> found =
+            parallel_collect<ivec2>(edges_.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<ivec2>& out) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    edges_[i] = std::uint8_t(marked_edges(marks_, mesh_.triangles[i], edges_[i]));
+                    if (edges_[i] != 0 && edges_[i] < hypotenuse)
+                        out.push_back(mesh_.triangles[i].middle());
+                }
+            });
         for (const ivec2& p : found)
             marks_.mark(p);
         return found.size();
     }
-    std::vector<BisectionTriangle> refined() const
+    ParMesh refined() const
     {
-        return parallel_collect<BisectionTriangle>(triangles_.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<BisectionTriangle>& out) {
-            for (std::size_t i = begin; i < end; ++i)
-                append_parts(triangles_[i], edges_[i] == culled ? 0u : edges_[i], out);
-        });
+        ParMesh finer;
+        finer.triangles = parallel_collect<BisectionTriangle>(edges_.size(), grain,
+                                                              [&](std::size_t begin, std::size_t end, std::vector<BisectionTriangle>& out) {
+                                                                  for (std::size_t i = begin; i < end; ++i)
+                                                                      append_parts(mesh_.triangles[i], edges_[i], out);
+                                                              });
+        finer.fresh =
+            parallel_collect<std::uint8_t>(edges_.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<std::uint8_t>& out) {
+                for (std::size_t i = begin; i < end; ++i)
+                    out.insert(out.end(), std::size_t(1 + std::popcount(edges_[i])), std::uint8_t(edges_[i] != 0));
+            });
+        return finer;
     }
 
 private:
-    static constexpr std::uint8_t culled = 8;
     EdgeErrorMap& marks_;
-    const std::vector<BisectionTriangle>& triangles_;
+    const ParMesh& mesh_;
     std::vector<std::uint8_t> edges_;
+    std::size_t tested_ = 0;
 };
 
 /// The heights of the ends and of the middle of an edge. Outside the map the nearest sample counts.
 class EdgeHeights {
 public:
-    EdgeHeights(const HeightMap& map, const ivec2& a, const ivec2& b) : a_(height(map, a)), b_(height(map, b)), middle_(height(map, middle(a, b))) {}
+    EdgeHeights(const HeightMap& map, const ivec2& a, const ivec2& b)
+        : a_(height(map, a)), b_(height(map, b)), middle_(height(map, middle(a, b)))
+    {
+    }
     double chord() const { return 0.5 * (a_ + b_); }
-    double off() const { return middle_ - chord(); } ///< no number where one of the three has no data
+    double off() const { return formulas::height_off_chord(a_, middle_, b_); } ///< no number where one of the three has no data
     /// Whether some of the three, but not all, have no data.
     bool has_gap() const { return std::isnan(off()) && !(std::isnan(a_) && std::isnan(b_) && std::isnan(middle_)); }
 
 private:
-    static double height(const HeightMap& map, const ivec2& p) { return double(map.height(std::min(p.x, map.columns - 1), std::min(p.y, map.rows - 1))); }
+    static double height(const HeightMap& map, const ivec2& p)
+    {
+        return double(map.height(std::min(p.x, map.columns - 1), std::min(p.y, map.rows - 1)));
+    }
     double a_, b_, middle_;
 };
 
 } // namespace
 
-ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriangle> start, const EdgeTest& test, const TriangleTest& visible,
-                             const std::function<void(const std::vector<BisectionTriangle>&)>& on_step)
+ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriangle> start, const EdgeTest& test, const ParOptions& options)
 {
     ParResult result;
-    result.triangles = std::move(start);
-    EdgeErrorMap marks(lattice); // not cleared from step to step: every marked edge is split in its step, and never comes again
+    ParMesh mesh = {std::move(start), {}};
+    mesh.fresh.assign(mesh.triangles.size(), 1);
+    EdgeErrorMap marks(lattice); // need not be cleared from step to step: every marked edge is split in its step, and never comes again
     for (;;) {
-        Step step(marks, result.triangles, test, visible);
+        if (options.clear_marks)
+            marks.clear();
+        Step step(marks, mesh, test, options.visible);
         ParStep report;
+        report.tested = step.tested();
         for (std::size_t made = 1; made > 0; ++report.mark_passes) {
             made = step.mark();
             report.marks += made;
         }
-        std::vector<BisectionTriangle> finer = step.refined();
-        const bool split = finer.size() != result.triangles.size(); // a split always adds triangles
-        result.triangles = std::move(finer);
-        report.triangles = result.triangles.size();
+        ParMesh finer = step.refined();
+        const bool split = finer.triangles.size() != mesh.triangles.size(); // a split always adds triangles
+        mesh = std::move(finer);
+        report.triangles = mesh.triangles.size();
         result.steps.push_back(report);
         if (!split)
-            return result;
-        if (on_step)
-            on_step(result.triangles);
+            break;
+        if (options.on_step)
+            options.on_step(mesh.triangles);
     }
+    result.triangles = std::move(mesh.triangles);
+    return result;
 }
 
 EdgeTest middle_height_test(const HeightMap& map, double tolerance)
@@ -169,8 +206,9 @@ EdgeTest middle_height_test(const HeightMap& map, double tolerance)
 
 EdgeTest screen_height_test(const HeightMap& map, const Camera& camera, double pixels, double nearest)
 {
-    const formulas::ErrorCamera axes = {vec3(camera.right()), vec3(camera.above()), vec3(camera.forward()), float(camera.pixels_per_unit(1)), float(nearest),
-                                        camera.orthographic ? 1.0f : 0.0f};
+    const formulas::ErrorCamera axes = {vec3(camera.right()),   vec3(camera.above()),
+                                        vec3(camera.forward()), float(camera.pixels_per_unit(1)),
+                                        float(nearest),         camera.orthographic ? 1.0f : 0.0f};
     return [&map, axes, eye = camera.eye, pixels](const ivec2& a, const ivec2& b) {
         const EdgeHeights heights(map, a, b);
         if (heights.has_gap())

@@ -11,14 +11,15 @@ namespace limn {
 
 /// Whether an edge, given by its ends, is too far from the height map. It has to give one answer for both orders of the ends.
 using EdgeTest = std::function<bool(const ivec2&, const ivec2&)>;
-/// Whether a triangle can be seen; others are left as they are.
+/// Whether a triangle's edges have to be tested; those of others are not too far off.
 using TriangleTest = std::function<bool(const BisectionTriangle&)>;
 
 /// What one step of refinement did.
 struct ParStep {
-    int mark_passes = 0;         ///< the last one, which marks nothing, among them
-    std::size_t marks = 0;       ///< edges marked, once for each triangle that asked
-    std::size_t triangles = 0;   ///< after the step
+    int mark_passes = 0;       ///< the last one, which marks nothing, among them
+    std::size_t marks = 0;     ///< edges marked, once for each triangle that asked
+    std::size_t triangles = 0; ///< after the step
+    std::size_t tested = 0;    ///< triangles whose edges were tested: those that are new and may be seen
 };
 
 struct ParResult {
@@ -26,14 +27,20 @@ struct ParResult {
     std::vector<ParStep> steps; ///< the last one splits nothing
 };
 
+struct ParOptions {
+    TriangleTest visible =
+        {}; ///< triangles that are tested; empty: all. Others follow the marks of their neighbours, so that there are no cracks
+    bool clear_marks = false; ///< begin each step with an empty edge error map, which makes no difference to the mesh
+    std::function<void(const std::vector<BisectionTriangle>&)> on_step = {}; ///< called with the mesh after each step that splits
+};
+
 /// Parallel adaptive refinement (Heide 2009, "PAR"): all triangles are split at once, along those edges that the test finds, and along
 /// hypotenuses that have to be split with them, which are marked in an edge error map until no new one is found. The mesh is conforming after
-/// every step where all triangles can be seen. The bound that the test stands for holds in the middles of edges, and not everywhere.
+/// every step. It is the coarsest one of the hierarchy whose edges all pass the test, whatever the order of the splits, and the bound that the test
+/// stands for holds in the middles of edges, and not everywhere.
 /// @param start  a conforming mesh, such as root_triangles()
-/// @param visible  empty: all are
-/// @param on_step  called with the mesh after each step; may be empty
-ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriangle> start, const EdgeTest& test, const TriangleTest& visible = {},
-                             const std::function<void(const std::vector<BisectionTriangle>&)>& on_step = {});
+ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriangle> start, const EdgeTest& test,
+                             const ParOptions& options = {});
 
 /// The seed's test in object space: the middle of the edge is more than `tolerance` metres above or below the height map (equation 1).
 /// Outside the map the nearest sample counts. An edge is too far off where some but not all of its three heights are known.

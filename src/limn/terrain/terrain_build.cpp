@@ -159,13 +159,18 @@ BuiltTerrain build_terrain(const HeightMap& map, const TerrainBuildOptions& opti
     built.asked = options.bound.value_or(TerrainBound{relief(map) / options.exaggerate * share_of_relief, false});
     check(options, built.asked, camera.has_value());
     built.mesh = make_mesh(map, options, built.asked, camera);
+    measure_built(map, built, options.exaggerate, camera);
+    return built;
+}
+
+void measure_built(const HeightMap& map, BuiltTerrain& built, double exaggerate, const std::optional<Camera>& camera)
+{
     if (built.asked.in_pixels) {
         built.measured = measure_terrain(map, built.mesh, built.asked.value, camera, ViewTolerance().nearest);
     } else {
-        built.measured = measure_terrain(map, built.mesh, built.asked.value * options.exaggerate);
-        built.measured.maximum /= options.exaggerate, built.measured.rms /= options.exaggerate;
+        built.measured = measure_terrain(map, built.mesh, built.asked.value * exaggerate);
+        built.measured.maximum /= exaggerate, built.measured.rms /= exaggerate;
     }
-    return built;
 }
 
 } // namespace limn

@@ -52,4 +52,8 @@ HeightMap exaggerated(HeightMap map, double factor);
 /// @throws Error::Input for options that contradict each other or are out of range
 BuiltTerrain build_terrain(const HeightMap& map, const TerrainBuildOptions& options, const std::optional<Camera>& camera = {});
 
+/// Fills `measured` of a mesh in place: how far it is from every sample of the map, in the unit of the bound that was asked for.
+/// @param map, exaggerate, camera  as for build_terrain()
+void measure_built(const HeightMap& map, BuiltTerrain& built, double exaggerate, const std::optional<Camera>& camera = {});
+
 } // namespace limn

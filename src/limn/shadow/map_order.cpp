@@ -1,0 +1,60 @@
+#include "limn/shadow/map_order.h"
+
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "limn/base/error.h"
+#include "limn/shadow/hilbert.h"
+
+namespace limn {
+namespace {
+
+int hilbert_order(const ivec2& cells) { return std::bit_width(std::uint32_t(cells.x)) - 1; }
+
+/// Along the first of two axes at each place of the second.
+std::uint32_t swept(int along, int at, int length, bool zigzag)
+{
+    return std::uint32_t(at) * std::uint32_t(length) + std::uint32_t(zigzag && at % 2 == 1 ? length - 1 - along : along);
+}
+ivec2 unswept(std::uint32_t rank, int length, bool zigzag)
+{
+    const int at = int(rank / std::uint32_t(length)), along = int(rank % std::uint32_t(length));
+    return {zigzag && at % 2 == 1 ? length - 1 - along : along, at};
+}
+
+} // namespace
+
+void check_order(MapOrder order, const ivec2& cells)
+{
+    if (order == MapOrder::hilbert && (cells.x != cells.y || cells.x < 2 || !std::has_single_bit(std::uint32_t(cells.x))))
+        throw Error::Input(fmt::format("a grid of {} x {} directions has no Hilbert curve; it has to be a square of 2, 4, 8 ... along a side", cells.x, cells.y));
+}
+
+std::uint32_t rank_of(MapOrder order, const ivec2& cells, const ivec2& cell)
+{
+    switch (order) {
+    case MapOrder::theta_zigzag: return swept(cell.x, cell.y, cells.x, true);
+    case MapOrder::theta_linear: return swept(cell.x, cell.y, cells.x, false);
+    case MapOrder::phi_zigzag: return swept(cell.y, cell.x, cells.y, true);
+    case MapOrder::phi_linear: return swept(cell.y, cell.x, cells.y, false);
+    case MapOrder::hilbert: break;
+    }
+    return std::uint32_t(hilbert_index<2>({std::uint32_t(cell.x), std::uint32_t(cell.y)}, hilbert_order(cells)));
+}
+
+ivec2 cell_of_rank(MapOrder order, const ivec2& cells, std::uint32_t rank)
+{
+    const auto turned = [](const ivec2& p) { return ivec2(p.y, p.x); };
+    switch (order) {
+    case MapOrder::theta_zigzag: return unswept(rank, cells.x, true);
+    case MapOrder::theta_linear: return unswept(rank, cells.x, false);
+    case MapOrder::phi_zigzag: return turned(unswept(rank, cells.y, true));
+    case MapOrder::phi_linear: return turned(unswept(rank, cells.y, false));
+    case MapOrder::hilbert: break;
+    }
+    const auto place = hilbert_place<2>(rank, hilbert_order(cells));
+    return {int(place[0]), int(place[1])};
+}
+
+} // namespace limn

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limn/shadow/depth_layers.h"
+
+namespace limn {
+
+/// A depth that stands for all maps of a run: between the first and second surface of each, or no_surface where none of them has one.
+struct Segment {
+    float depth;
+    std::uint32_t last; ///< rank of the run's last map
+};
+
+/// The maps of an object by texel: of each the runs of its depths, in the order of maps (the coherent shadow map specification, 2.7).
+struct SegmentLists {
+    std::vector<std::size_t> first; ///< texels + 1: where lists begin
+    std::vector<Segment> segments;
+
+    std::span<const Segment> list(std::size_t texel) const { return {segments.data() + first[texel], first[texel + 1] - first[texel]}; }
+    /// In as many steps as the length of the list has binary digits.
+    float depth(std::size_t texel, std::uint32_t rank) const;
+    /// Of the seed's file: eight bytes each, and a number for each list.
+    std::size_t bytes() const { return segments.size() * sizeof(Segment) + first.size() * sizeof(std::uint32_t); }
+};
+
+/// Covers the maps of each texel with as few constant pieces as there can be, one map after the other: a piece goes on while there is a depth
+/// between all its first and second surfaces. Runs do not lead from the object to the background.
+class PixelCodec {
+public:
+    /// @param margin  0 to below 0.5: the part of the way between both surfaces that depths keep away from each of them
+    explicit PixelCodec(std::size_t texels, float margin = 0);
+    /// Adds the next map. In parallel.
+    void add(const DepthLayers& layers);
+    /// Ends all runs. The codec is empty afterwards.
+    SegmentLists finish();
+
+private:
+    struct Run {
+        float low, high;
+        bool background;
+    };
+    void begin(std::size_t texel, float near, float far);
+    Segment ended(const Run& run) const;
+
+    float margin_;
+    std::uint32_t maps_ = 0;
+    std::vector<Run> runs_;
+    std::vector<std::vector<Segment>> lists_;
+};
+
+} // namespace limn
