@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "limn/terrain/build_pyramid.h"
 #include "support/support.h"
 #include "terrain/terrain_support.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "limn/base/image.h"
 #include "limn/base/options.h"
 #include "limn/camera/camera.h"
@@ -28,6 +30,10 @@ const OptionTable<TerrainPictureOptions>& terrain_picture_option_table();
 /// @param mesh  over the map, as terrain_mesh() makes it
 /// @throws Error::Input for a number out of its range, Error::Device when Embree cannot build the scene
 Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options = {});
+
+/// The same with normals of the ground that come from elsewhere.
+/// @param normal  upward and of unit length, of a place on the mesh; asked for by many threads at once
+Image paint_terrain(const std::function<dvec3(const dvec3&)>& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options = {});
 
 /// The upward unit normal of the map at a place in its own coordinates, which is moved onto the map where it is outside.
 /// Straight up where nothing around has data.

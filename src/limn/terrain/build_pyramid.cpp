@@ -321,20 +321,6 @@ private:
 
 } // namespace
 
-HeightRows rows_of(HeightRaster& raster)
-{
-    return {raster.frame(), [&raster](int first, int count, float* heights) { raster.read_rows(first, count, heights); }};
-}
-
-HeightRows rows_of(const HeightMap& map)
-{
-    HeightMap frame = map;
-    frame.heights.clear();
-    return {frame, [&map](int first, int count, float* heights) {
-                std::copy_n(map.heights.begin() + std::ptrdiff_t(map.index(0, first)), map.index(0, count), heights);
-            }};
-}
-
 BuiltPyramid build_pyramid(const HeightRows& rows, const std::filesystem::path& path, const std::function<void(double)>& progress)
 {
     return Builder(rows, path, progress).run(path.string());

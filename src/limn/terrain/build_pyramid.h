@@ -4,19 +4,9 @@
 #include <filesystem>
 #include <functional>
 
-#include "limn/terrain/height_raster.h"
+#include "limn/terrain/height_rows.h"
 
 namespace limn {
-
-/// A height map that is read row by row.
-struct HeightRows {
-    HeightMap frame; ///< without heights
-    /// Reads rows [first, first + count) from the north into `heights`; rows are asked for once, in order.
-    std::function<void(int first, int count, float* heights)> read;
-};
-/// The rows of a raster or a map, which have to outlive the result.
-HeightRows rows_of(HeightRaster& raster);
-HeightRows rows_of(const HeightMap& map);
 
 struct BuiltPyramid {
     std::size_t tiles = 0, tiles_with_data = 0;

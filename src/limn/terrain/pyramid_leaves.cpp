@@ -12,6 +12,7 @@
 #include "limn/base/parallel.h"
 #include "limn/terrain/length_test.h"
 #include "limn/terrain/polygon_fan.h"
+#include "limn/terrain/pyramid_walk.h"
 #include "limn/terrain/split_point.h"
 
 namespace limn {
@@ -35,49 +36,16 @@ BisectionTriangle longest_in(const TileId& id)
     return {{side, 0}, {0, 0}, {side, side}};
 }
 
-/// Goes down the hierarchy with the tile of each level that it was in last.
-class Walker {
+/// The tile of each level that was needed last, read when it is.
+class TilesInReach {
 public:
-    Walker(TileCache& tiles, const PyramidTest& test)
-        : tiles_(tiles), layout_(tiles.pyramid().layout()), test_(test), at_(std::size_t(layout_.levels()))
+    TilesInReach(TileCache& tiles, const PyramidTest& test) : tiles_(tiles), layout_(tiles.pyramid().layout()), test_(test), at_(std::size_t(layout_.levels())) {}
+    const TerrainTile* tile_for(const BisectionTriangle& t)
     {
-    }
-    PyramidLeaf root(const BisectionTriangle& t)
-    {
-        const SharedTile& tile = tile_of({layout_.top(), (t.apex + t.a + t.b) / (3 * layout_.lattice.root_cells())});
-        return {t, tile->height(t.apex), tile->height(t.a), tile->height(t.b)};
-    }
-    /// @return false where the leaf stays one
-    bool split(const PyramidLeaf& leaf, PyramidLeaf& left, PyramidLeaf& right)
-    {
-        const BisectionTriangle& t = leaf.triangle;
-        if (!t.can_split())
-            return false;
         const TileId id = layout_.tile_of(t);
-        if (!may_split(id))
-            return false;
-        const SharedTile& tile = tile_of(id);
-        const ivec2 middle = t.middle();
-        if (!test_.splits(t, tile->bounds_of(middle)))
-            return false;
-        const float height = tile->height(middle);
-        left = {t.left(), height, leaf.apex, leaf.a};
-        right = {t.right(), height, leaf.b, leaf.apex};
-        return true;
+        return place(id).may_split ? &tile(id) : nullptr;
     }
-    void append(const PyramidLeaf& leaf, std::vector<PyramidLeaf>& out)
-    {
-        const Lattice& lattice = layout_.lattice;
-        if (lattice.is_outside_in_part(leaf.triangle) && !lattice.is_inside_in_part(leaf.triangle))
-            return;
-        PyramidLeaf left, right;
-        if (!split(leaf, left, right)) {
-            out.push_back(leaf);
-            return;
-        }
-        append(left, out);
-        append(right, out);
-    }
+    const TerrainTile& top(const TileId& id) { return tile(id); }
 
 private:
     struct Place {
@@ -92,13 +60,12 @@ private:
             at = {id, id.level == layout_.top() || test_.may_split(id), nullptr};
         return at;
     }
-    bool may_split(const TileId& id) { return place(id).may_split; }
-    const SharedTile& tile_of(const TileId& id)
+    const TerrainTile& tile(const TileId& id)
     {
         Place& at = place(id);
         if (!at.tile)
             at.tile = tiles_.get(id);
-        return at.tile;
+        return *at.tile;
     }
     TileCache& tiles_;
     const PyramidLayout& layout_;
@@ -169,29 +136,13 @@ PyramidTest view_test(const TerrainPyramid& pyramid, const Camera& camera, const
 
 std::vector<PyramidLeaf> pyramid_leaves(TileCache& tiles, const PyramidTest& test)
 {
-    constexpr std::size_t enough = 256;
-    Walker first(tiles, test);
-    std::vector<PyramidLeaf> tops;
-    for (const BisectionTriangle& root : root_triangles(tiles.pyramid().lattice()))
-        tops.push_back(first.root(root));
-    for (bool growing = true; growing && tops.size() < enough;) {
-        growing = false;
-        std::vector<PyramidLeaf> finer;
-        for (const PyramidLeaf& leaf : tops) {
-            PyramidLeaf left, right;
-            const bool split = first.split(leaf, left, right);
-            growing = growing || split;
-            if (split)
-                finer.insert(finer.end(), {left, right});
-            else
-                finer.push_back(leaf);
-        }
-        tops = std::move(finer);
-    }
+    const Lattice& lattice = tiles.pyramid().lattice();
+    TilesInReach first(tiles, test);
+    const std::vector<PyramidLeaf> tops = first_pyramid_leaves(lattice, first, test);
     return parallel_collect<PyramidLeaf>(tops.size(), 4, [&](std::size_t begin, std::size_t end, std::vector<PyramidLeaf>& out) {
-        Walker walker(tiles, test);
+        TilesInReach in_reach(tiles, test);
         for (std::size_t i = begin; i < end; ++i)
-            walker.append(tops[i], out);
+            each_pyramid_leaf(lattice, tops[i], in_reach, test, [&](const PyramidLeaf& leaf) { out.push_back(leaf); });
     });
 }
 

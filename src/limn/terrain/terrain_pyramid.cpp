@@ -86,16 +86,33 @@ std::string TerrainPyramid::read_bytes(std::uint64_t offset, std::size_t size, c
     return bytes;
 }
 
-TerrainTile TerrainPyramid::read(const TileId& id) const
+std::string TerrainPyramid::read_packed(const TileId& id) const
 {
     const TileEntry& where = entry(id);
-    const std::string name = tile_name(id), bytes = read_bytes(where.offset, where.size, name);
+    std::string bytes = read_bytes(where.offset, where.size, tile_name(id));
     if (where.size > 0 && checksum_of(bytes) != where.checksum)
-        throw Error::Read(fmt::format("{}: {} is damaged: its checksum does not match", name_, name));
-    TerrainTile tile;
-    if (const std::string fault = unpack_tile(layout_, id, bytes, tile); !fault.empty())
-        throw Error::Read(fmt::format("{}: {} is damaged: {}", name_, name, fault));
+        throw Error::Read(fmt::format("{}: {} is damaged: its checksum does not match", name_, tile_name(id)));
     ++tiles_read_;
+    return bytes;
+}
+
+void TerrainPyramid::check(const TileId& id, const std::string& fault) const
+{
+    if (!fault.empty())
+        throw Error::Read(fmt::format("{}: {} is damaged: {}", name_, tile_name(id), fault));
+}
+
+TerrainTile TerrainPyramid::read(const TileId& id) const
+{
+    TerrainTile tile;
+    check(id, unpack_tile(layout_, id, read_packed(id), tile));
+    return tile;
+}
+
+TerrainTile TerrainPyramid::read_heights(const TileId& id) const
+{
+    TerrainTile tile;
+    check(id, unpack_heights(layout_, id, read_packed(id), tile));
     return tile;
 }
 

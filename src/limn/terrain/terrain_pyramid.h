@@ -31,12 +31,16 @@ public:
 
     /// Reads a tile and checks it. @throws Error::Read naming the file, the tile and what is wrong
     TerrainTile read(const TileId& id) const;
+    /// Without its bounds, which are empty then. @throws as read() does
+    TerrainTile read_heights(const TileId& id) const;
     /// How many tiles were read so far.
     std::size_t tiles_read() const { return tiles_read_; }
     /// The height of a sample in the last column or row, where triangles reach beyond the map.
     float edge_height(const ivec2& sample) const;
 
 private:
+    std::string read_packed(const TileId& id) const;
+    void check(const TileId& id, const std::string& fault) const;
     std::string read_bytes(std::uint64_t offset, std::size_t size, const std::string& what) const;
 
     std::string name_;

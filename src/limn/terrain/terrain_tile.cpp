@@ -168,7 +168,9 @@ std::string pack_tile(const PyramidLayout& layout, const TileId& id, const Terra
 std::string unpack_heights(const PyramidLayout& layout, const TileId& id, std::string_view packed, TerrainTile& tile)
 {
     std::string bytes;
-    return unpack(layout, id, packed, tile, bytes);
+    const std::string fault = unpack(layout, id, packed, tile, bytes);
+    tile.bounds = {};
+    return fault;
 }
 
 std::string unpack_tile(const PyramidLayout& layout, const TileId& id, std::string_view packed, TerrainTile& tile)

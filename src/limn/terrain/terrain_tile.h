@@ -42,7 +42,7 @@ std::string pack_tile(const PyramidLayout& layout, const TileId& id, const Terra
 /// @return a fault, or "" after the tile was filled
 std::string unpack_tile(const PyramidLayout& layout, const TileId& id, std::string_view packed, TerrainTile& tile);
 
-/// Its heights only.
+/// Its heights only; its bounds are empty then.
 std::string unpack_heights(const PyramidLayout& layout, const TileId& id, std::string_view packed, TerrainTile& tile);
 
 /// A tile with its place, and with heights and bounds of no data.
