@@ -22,7 +22,7 @@ using namespace limn;
 namespace {
 
 constexpr const char* usual_view = "20,35"; // as of height maps in memory
-constexpr std::size_t tile_budget = std::size_t(128) << 20, picture_budget = std::size_t(96) << 20;
+constexpr std::size_t tile_budget = std::size_t(96) << 20, picture_budget = std::size_t(64) << 20;
 
 bool is_picture(const Output& output) { return output.format == "png"; }
 
@@ -95,13 +95,13 @@ private:
     Mesh mesh(const PyramidTest& test) { return pyramid_mesh(pyramid_, pyramid_leaves(tiles_, test), command_.build.exaggerate); }
     Camera place_camera()
     {
-        constexpr double share_of_relief = 1.0 / 500, large = 4096;
+        constexpr double share_of_relief = 1.0 / 500, large = 2048 * 2048;
         ViewOptions view = command_.view;
         if (view.views.empty() && view.eye.empty())
             view.views = {usual_view};
-        const double exaggerate = command_.build.exaggerate, side = std::sqrt(double(pyramid_.frame().columns) * pyramid_.frame().rows);
-        // As coarse as the map is large: it is only looked at from afar.
-        const double tolerance = exaggerate * relief() * share_of_relief * std::max(1.0, side / large);
+        const double exaggerate = command_.build.exaggerate, samples = double(pyramid_.frame().columns) * pyramid_.frame().rows;
+        // The larger the map, the coarser: it is only looked at from where all of it can be seen.
+        const double tolerance = exaggerate * relief() * share_of_relief * std::max(1.0, samples / large);
         const Mesh coarse = mesh(metric_test(pyramid_, tolerance, 0, exaggerate));
         const LineModel model = places_of(coarse);
         return place_cameras(view, {model, coarse.bounds()}, 'z').cameras.front();
@@ -131,6 +131,7 @@ private:
             write_mesh(for_file(mesh, command_.print_size, command_.base), output.path, {.format = output.format, .double_positions = command_.double_positions});
             return;
         }
+        tiles_.clear();
         TileCache heights(pyramid_, picture_budget, TileParts::heights);
         const PyramidNormals normals(heights, *camera_, command_.build.exaggerate);
         write_file(output.path, encode_png(paint_terrain([&](const dvec3& place) { return normals(place); }, mesh, *camera_, command_.picture), {}));

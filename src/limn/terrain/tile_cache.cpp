@@ -59,7 +59,20 @@ void TileCache::keep(std::size_t number, std::size_t bytes)
     const std::lock_guard held(lock_);
     places_.at(number)->bytes = bytes;
     bytes_ += bytes;
-    for (auto last = entries_.end(); bytes_ > budget_ && last != entries_.begin();) {
+    shrink(budget_);
+    most_bytes_ = std::max(most_bytes_, bytes_);
+}
+
+void TileCache::clear()
+{
+    const std::lock_guard held(lock_);
+    shrink(0);
+}
+
+/// Lets tiles go until the rest are within a budget. With the lock.
+void TileCache::shrink(std::size_t budget)
+{
+    for (auto last = entries_.end(); bytes_ > budget && last != entries_.begin();) {
         --last;
         if (last->bytes == 0)
             continue; // somebody waits for it
@@ -67,7 +80,6 @@ void TileCache::keep(std::size_t number, std::size_t bytes)
         places_.erase(last->number);
         last = entries_.erase(last);
     }
-    most_bytes_ = std::max(most_bytes_, bytes_);
 }
 
 void TileCache::forget(std::size_t number)

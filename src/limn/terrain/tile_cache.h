@@ -30,6 +30,8 @@ public:
     SharedTile get(const TileId& id);
     /// The tile if it is here.
     SharedTile find(const TileId& id);
+    /// Lets all tiles go.
+    void clear();
     std::size_t bytes() const;      ///< of the tiles kept
     std::size_t most_bytes() const; ///< that were kept at any time
 
@@ -44,6 +46,7 @@ private:
     };
     using Place = std::list<Entry>::iterator;
     void keep(std::size_t number, std::size_t bytes);
+    void shrink(std::size_t budget);
     void forget(std::size_t number);
 
     const TerrainPyramid& pyramid_;
