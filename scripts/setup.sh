@@ -5,7 +5,7 @@ build_packages=(
     g++ cmake ninja-build pkg-config ccache mold
     libglm-dev libeigen3-dev libtbb-dev libembree-dev libassimp-dev libcairo2-dev libpng-dev
     libfmt-dev libcli11-dev nlohmann-json3-dev libhwy-dev libgtest-dev
-    libopenexr-dev libgdal-dev libproj-dev libepoxy-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
+    zlib1g-dev libzstd-dev libopenexr-dev libgdal-dev libproj-dev libepoxy-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
 )
 test_packages=(
     librsvg2-bin  # rasterises Limn's SVG files, to compare them with its PNG files

@@ -16,9 +16,11 @@
 #include "limn/scene/terrain_picture.h"
 #include "limn/terrain/read_height_map.h"
 #include "limn/terrain/terrain_build.h"
-#include "limn/terrain/terrain_solid.h"
+#include "limn/terrain/terrain_pyramid.h"
 #include "subcommand.h"
 #include "table_options.h"
+#include "terrain_output.h"
+#include "terrain_pyramid.h"
 #include "terrain_smooth.h"
 #include "views.h"
 
@@ -37,7 +39,9 @@ constexpr const char* examples = R"(Examples:
   limn terrain alps.tif -o alps.obj --method delaunay --max-error 2m
   limn terrain helens.dem -o print.stl --base 3 --print-size 150 --fill
   limn terrain helens.dem -o close.png --smooth c2 --eye 3000,1000,2600 --look 4000,5000,2000
-  limn terrain helens.dem --max-error 10m --method par --error-report)";
+  limn terrain helens.dem --max-error 10m --method par --error-report
+  limn terrain build country.tif -o country.pyramid
+  limn terrain country.pyramid --eye 9000,-4000,3000 --look 9000,8000,1000 -o country.png)";
 
 struct TerrainCommand {
     CommonOptions common;
@@ -75,19 +79,6 @@ void check(const TerrainCommand& command, const std::vector<Output>& outputs)
     check_cpu_only(command.common, "terrain");
 }
 
-/// The places of a coarse mesh, for a camera to be fitted around.
-LineModel places_of(const Mesh& mesh)
-{
-    LineModel model;
-    const Bounds bounds = mesh.bounds();
-    model.centre = bounds.centre();
-    model.scale = bounds.radius() > 0 ? bounds.radius() : 1;
-    for (const dvec3& p : mesh.positions)
-        model.positions.push_back(model.from_world(p));
-    model.positions.emplace_back(0); // the spare one
-    return model;
-}
-
 Camera place_camera(const TerrainCommand& command, const HeightMap& map)
 {
     ViewOptions view = command.view;
@@ -112,35 +103,12 @@ std::optional<std::string> eye_fault(const HeightMap& map, const Camera& camera)
     return fmt::format("the eye is {:.6g} m under the ground", ground - camera.eye.z);
 }
 
-/// Millimetres for a print, metres else.
-Mesh for_file(const TerrainCommand& command, Mesh mesh)
-{
-    if (command.print_size > 0) {
-        const dvec3 size = mesh.bounds().size();
-        const double to_mm = command.print_size / std::max(size.x, size.y);
-        for (dvec3& p : mesh.positions)
-            p *= to_mm;
-    }
-    return command.base > 0 ? terrain_solid(mesh, command.base) : mesh;
-}
-
-std::string unit_of(const TerrainBound& bound) { return bound.in_pixels ? "px" : "m"; }
-
 /// "1,234 triangles, at most 0.98 m off at 263,169 samples (1 m asked)".
 std::string what_was_built(const BuiltTerrain& terrain, const std::string& measured_at)
 {
     const std::string unit = unit_of(terrain.asked);
     return fmt::format("{}, at most {:.4g} {} off at {} ({:.4g} {} asked)", counted(terrain.mesh.triangles.size(), "triangle"), terrain.measured.maximum, unit,
                        counted(terrain.measured.samples, measured_at), terrain.asked.value, unit);
-}
-
-std::string error_lines(const BuiltTerrain& terrain)
-{
-    const std::string unit = unit_of(terrain.asked);
-    const MeasuredTerrain& m = terrain.measured;
-    return fmt::format("bound asked   {:.6g} {}\nmaximum       {:.6g} {}\nRMS           {:.6g} {}\nsamples       {}\nover          {}\nwithout mesh  {}\ntriangles     {}\n", terrain.asked.value,
-                       unit, m.maximum, unit, m.rms, unit, with_thousands(m.samples), with_thousands(m.over), with_thousands(m.bare),
-                       with_thousands(terrain.mesh.triangles.size()));
 }
 
 nlohmann::ordered_json mesh_json(const Made& made)
@@ -181,9 +149,8 @@ std::string report(const TerrainCommand& command, const ReadHeightMapResult& rea
 /// Pictures and meshes have bounds of their own where none is asked for: a pixel, and a part of the relief.
 class Maker {
 public:
-    Maker(const TerrainCommand& command, const HeightMap& map, const std::vector<Output>& outputs) : command_(command), map_(map), outputs_(outputs), options_(command.build), picture_(command.picture)
+    Maker(const TerrainCommand& command, const HeightMap& map, const std::vector<Output>& outputs) : command_(command), map_(map), outputs_(outputs), options_(command.build)
     {
-        picture_.normal = ground_normal(command.smooth, map);
         if (!command.max_error.empty())
             options_.bound = parse_terrain_bound(command.max_error);
         const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
@@ -222,16 +189,15 @@ private:
     {
         for (const Output& output : outputs) {
             if (is_picture(output))
-                write_file(output.path, encode_png(paint_terrain(map_, mesh, *camera_, picture_), {}));
+                write_file(output.path, encode_png(paint_terrain(ground_normal(command_.smooth, map_), mesh, *camera_, command_.picture), {}));
             else
-                write_mesh(for_file(command_, mesh), output.path, {.format = output.format, .double_positions = command_.double_positions});
+                write_mesh(for_file(mesh, command_.print_size, command_.base), output.path, {.format = output.format, .double_positions = command_.double_positions});
         }
     }
     const TerrainCommand& command_;
     const HeightMap& map_;
     const std::vector<Output>& outputs_;
     TerrainBuildOptions options_;
-    TerrainPictureOptions picture_;
     std::optional<Camera> camera_;
     std::vector<std::string> notes_;
 };
@@ -244,6 +210,12 @@ void run(const CLI::App& app, TerrainCommand& command)
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     check(command, outputs);
     check_terrain_smooth(app, command.smooth);
+    if (is_pyramid_file(command.file)) {
+        if (command.smooth.kind != TerrainSmooth::Kind::none)
+            throw Error::Input("--smooth needs a whole height map in memory; a pyramid is in tiles");
+        return run_terrain_pyramid({command.common, command.file, command.view, command.max_error, command.build, command.picture, command.error_report,
+                                    command.double_positions, command.base, command.print_size}, outputs);
+    }
     Console console(command.common.quiet);
     console.progress("reading", 0);
     ReadHeightMapResult read = read_height_map_with_notes(command.file, command.read);
@@ -280,7 +252,7 @@ Subcommand add_terrain(CLI::App& limn)
     command->view.unit = "m";
     CLI::App* app = limn.add_subcommand("terrain", "Make meshes and pictures of a height map, with a bound on their error");
     app->footer(examples);
-    app->add_option("DEM", command->file, "height map to read: GeoTIFF, USGS DEM, SRTM, ASCII grid, PNG and more; '-' is standard input");
+    app->add_option("DEM", command->file, "height map to read: GeoTIFF, USGS DEM, SRTM, ASCII grid, PNG and more, or a pyramid of 'limn terrain build'; '-' is standard input");
     add_table_options(*app, read_height_map_option_table(), command->read, "Height map");
     app->add_option("--max-error", command->max_error,
                     "how far samples may be from the mesh: metres (5m) or pixels of the picture (1px); default 1px for pictures, a 500th of the relief for meshes")
@@ -298,5 +270,11 @@ Subcommand add_terrain(CLI::App& limn)
     add_table_options(*app, terrain_picture_option_table(), command->picture, "Picture");
     add_view_options(*app, command->view);
     add_common_options(*app, command->common, "file to write; may be given several times: png, ply, obj, stl, glb; '-' is standard output");
-    return {app, [app, command] { with_threads(command->common.threads, [&] { run(*app, *command); }); }};
+    const Subcommand build = add_terrain_build(*app);
+    return {app, [app, command, build] {
+                if (build.app->parsed())
+                    build.run();
+                else
+                    with_threads(command->common.threads, [&] { run(*app, *command); });
+            }};
 }

@@ -9,22 +9,18 @@
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
 #include "limn/raycast/ray_scene.h"
+#include "limn/scene/sample_slope.h"
 
 namespace limn {
 namespace {
 
-/// Difference of height for each step along a row or column, over both neighbours where they have data, else over one; 0 with none.
 double slope(const HeightMap& map, const ivec2& at, const ivec2& step)
 {
     const auto height = [&](const ivec2& p) {
         const ivec2 q = glm::clamp(p, ivec2(0), ivec2(map.columns - 1, map.rows - 1));
         return p == q ? double(map.height(q.x, q.y)) : std::nan("");
     };
-    const double before = height(at - step), here = height(at), after = height(at + step);
-    if (!std::isnan(before) && !std::isnan(after))
-        return 0.5 * (after - before);
-    const double one = std::isnan(after) ? here - before : after - here;
-    return std::isnan(one) ? 0 : one;
+    return sample_slope(height(at - step), height(at), height(at + step));
 }
 
 dvec3 normal_at_sample(const HeightMap& map, const ivec2& p)
@@ -63,8 +59,8 @@ private:
 
 class Painter {
 public:
-    Painter(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
-        : map_(map), camera_(camera), options_(options), terrain_(mesh), rays_(std::array{terrain_.triangles()})
+    Painter(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
+        : normal_(normal), camera_(camera), options_(options), terrain_(mesh), rays_(std::array{terrain_.triangles()})
     {
         const Bounds bounds = mesh.bounds();
         low_ = bounds.empty() ? 0 : bounds.low.z, relief_ = bounds.empty() ? 0 : bounds.high.z - low_;
@@ -88,7 +84,7 @@ private:
         if (!hit)
             return options_.background;
         const dvec3 p = ray.origin + double(hit.distance) * ray.direction;
-        return light(options_.normal ? options_.normal(dvec2(p)) : terrain_normal(map_, dvec2(p))) * ground(p.z);
+        return light(normal_(p)) * ground(p.z);
     }
     vec3 ground(double z) const
     {
@@ -103,7 +99,7 @@ private:
         const double flat = std::max(sun_.z, 0.2), lit = std::max(0.0, glm::dot(normal, sun_)) / flat;
         return float(std::min(sky + (1 - sky) * lit, 1.12));
     }
-    const HeightMap& map_;
+    const GroundNormal& normal_;
     const Camera& camera_;
     const TerrainPictureOptions& options_;
     RayTerrain terrain_;
@@ -148,8 +144,13 @@ dvec3 terrain_normal(const HeightMap& map, const dvec2& place)
 
 Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
 {
+    return paint_terrain([&](const dvec3& place) { return terrain_normal(map, dvec2(place)); }, mesh, camera, options);
+}
+
+Image paint_terrain(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
+{
     check(options);
-    const Painter painter(map, mesh, camera, options);
+    const Painter painter(normal, mesh, camera, options);
     Image image(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t row) {
         for (int x = 0; x < camera.size.x; ++x) {

@@ -15,7 +15,7 @@ struct CornerHeights {
 /// @param window  only samples in it count: the greatest result of windows that cover the triangle is, to the bit, that of one around all of it
 /// @param t  inside the map, with a hypotenuse that can be split
 double error_off_legs(const HeightWindow& window, const BisectionTriangle& t, const CornerHeights& corners);
-/// With its corners in the window.
+/// With all of it in the window.
 double error_off_legs(const HeightWindow& window, const BisectionTriangle& t);
 
 } // namespace limn

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "limn/terrain/height_map.h"
 #include "limn/terrain/lattice.h"
 
@@ -8,7 +10,11 @@ namespace limn {
 /// Whether a hypotenuse is longer than allowed. It depends on the level alone, so both sides of an edge agree, and a longer one is never below.
 class LengthTest {
 public:
-    LengthTest(const HeightMap& map, double max_edge) : longer_(std::max(map.spacing.x, map.spacing.y)), diagonal_(glm::length(map.spacing)), most_(max_edge) {}
+    /// @param max_edge  metres; 0: any length
+    LengthTest(const HeightMap& map, double max_edge)
+        : longer_(std::max(map.spacing.x, map.spacing.y)), diagonal_(glm::length(map.spacing)), most_(max_edge)
+    {
+    }
     bool operator()(const BisectionTriangle& t) const
     {
         const ivec2 along = glm::abs(t.a - t.b);

@@ -5,6 +5,7 @@
 #include "limn/camera/camera.h"
 #include "limn/geometry/mesh.h"
 #include "limn/terrain/height_map.h"
+#include "limn/terrain/height_rows.h"
 
 namespace limn {
 
@@ -21,5 +22,10 @@ struct MeasuredTerrain {
 /// @param tolerance  for `over`
 /// @param camera  none: metres. Else pixels, of samples that are in the picture and not nearer than `nearest` metres of depth
 MeasuredTerrain measure_terrain(const HeightMap& map, const Mesh& mesh, double tolerance, const std::optional<Camera>& camera = {}, double nearest = 1e-3);
+
+/// The same for a map that is read some rows at a time, and to the bit.
+/// @param exaggerate  heights are multiplied by it, as those of the mesh were
+MeasuredTerrain measure_terrain(const HeightRows& rows, const Mesh& mesh, double tolerance, const std::optional<Camera>& camera = {}, double nearest = 1e-3,
+                                double exaggerate = 1);
 
 } // namespace limn

@@ -89,7 +89,8 @@ inline double error_beside_legs(const Lattice& lattice, const HeightWindow& wind
     if (lattice.is_outside_in_part(t))
         return triangle_error(window, lattice, t);
     if (!can_split(t.apex, t.a)) {
-        const int holes = std::isnan(window.height(t.apex)) + std::isnan(window.height(t.a)) + std::isnan(window.height(t.b)) + std::isnan(window.height(t.middle()));
+        const int holes = std::isnan(window.height(t.apex)) + std::isnan(window.height(t.a)) + std::isnan(window.height(t.b)) +
+                          std::isnan(window.height(t.middle()));
         if (holes > 0)
             return holes < 4 ? std::numeric_limits<double>::infinity() : 0;
     }
@@ -99,7 +100,8 @@ inline double error_beside_legs(const Lattice& lattice, const HeightWindow& wind
 /// What is known of a point once all below are.
 /// @param window  with all samples of its triangles
 /// @param below   of a point: its PointBounds
-template <class Below> PointBounds bounds_of_point(const Lattice& lattice, const HeightWindow& window, const SplitPoint& point, const Below& below)
+template <class Below>
+PointBounds bounds_of_point(const Lattice& lattice, const HeightWindow& window, const SplitPoint& point, const Below& below)
 {
     GrowingBounds bounds;
     const bool legs_split = can_split(point.apexes[0], point.a);

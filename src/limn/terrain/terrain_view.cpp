@@ -81,31 +81,47 @@ private:
 
 } // namespace
 
-ViewTest::ViewTest(const HeightMap& map, const NestedErrors& errors, const Camera& camera, const ViewTolerance& tolerance)
-    : map_(map), errors_(errors), camera_(camera), tolerance_(tolerance), right_(camera.right()), above_(camera.above()), forward_(camera.forward()),
-      scale_(camera.pixels_per_unit(1))
+ViewTest::ViewTest(const HeightMap& frame, const Camera& camera, const ViewTolerance& tolerance)
+    : map_(frame), camera_(camera), tolerance_(tolerance), right_(camera.right()), above_(camera.above()), forward_(camera.forward()), scale_(camera.pixels_per_unit(1))
 {
     if (!(tolerance.pixels >= 0))
         throw Error::Input(fmt::format("a tolerance of {} px: it has to be 0 or more", tolerance.pixels));
-    if (errors.low.empty() && !errors.errors.empty())
-        throw Error::Input("errors in a picture need the heights' ranges; nest errors with ranges");
     across_ = 0.5 * dvec2(camera.size) / scale_;
-    const dvec3 size(map.columns * map.spacing.x, map.rows * map.spacing.y, 0);
+    const dvec3 size(frame.columns * frame.spacing.x, frame.rows * frame.spacing.y, 0);
     for (std::size_t level = 0; level < reaches_.size(); ++level)
         reaches_[level] = level < 60 ? double(reach_of_point(1 << (level / 2), level % 2 == 1)) : 0;
     slack_length_ = 1e-12 * (glm::length(size) + glm::length(camera.eye));
 }
 
+ViewTest::ViewTest(const HeightMap& map, const NestedErrors& errors, const Camera& camera, const ViewTolerance& tolerance) : ViewTest(map, camera, tolerance)
+{
+    if (errors.low.empty() && !errors.errors.empty())
+        throw Error::Input("errors in a picture need the heights' ranges; nest errors with ranges");
+    errors_ = &errors;
+}
+
 double ViewTest::pixels(const BisectionTriangle& t, const PointBounds& bounds) const
+{
+    const ivec2 p = t.middle(), along = glm::abs(t.b - t.a);
+    const int level = levels_above(std::max(along.x, along.y) / 2, along.x == along.y);
+    const double reach = reaches_[std::size_t(level)];
+    return pixels_of_box(dvec2(p), dvec2(reach), bounds, level);
+}
+
+double ViewTest::pixels_of_area(const ivec2& first, const ivec2& last, const PointBounds& bounds, int half_hypotenuse) const
+{
+    const int level = levels_above(half_hypotenuse, true);
+    const dvec2 reach = 0.5 * dvec2(last - first) + reaches_[std::size_t(level)];
+    return pixels_of_box(0.5 * dvec2(first + last), reach, bounds, level + 1); // one more, so that rounding never makes it less than a point's
+}
+
+double ViewTest::pixels_of_box(const dvec2& place, const dvec2& reach, const PointBounds& bounds, int level) const
 {
     const double error = double(bounds.error), low = double(bounds.low), high = double(bounds.high);
     if (error == 0 || !(low <= high))
         return 0;
-    const ivec2 p = t.middle(), along = glm::abs(t.b - t.a);
-    const int level = levels_above(std::max(along.x, along.y) / 2, along.x == along.y);
-    const double reach = reaches_[std::size_t(level)];
-    const dvec3 middle = dvec3(p.x * map_.spacing.x, (map_.rows - 1 - p.y) * map_.spacing.y, 0.5 * (low + high)) - camera_.eye;
-    const dvec3 reaches(reach * map_.spacing.x, reach * map_.spacing.y, 0.5 * (high - low));
+    const dvec3 middle = dvec3(place.x * map_.spacing.x, (map_.rows - 1 - place.y) * map_.spacing.y, 0.5 * (low + high)) - camera_.eye;
+    const dvec3 reaches(reach.x * map_.spacing.x, reach.y * map_.spacing.y, 0.5 * (high - low));
     const formulas::BoundCamera camera = {right_, above_, forward_, scale_, tolerance_.nearest, camera_.orthographic ? 1.0 : 0.0};
     if (tolerance_.cull && !formulas::box_may_be_seen(camera, across_, middle, reaches, slack_length_ * level))
         return 0;

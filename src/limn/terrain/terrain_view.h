@@ -25,17 +25,29 @@ public:
     /// @param map, errors  have to outlive the test; `errors` with ranges
     /// @throws Error::Input for a tolerance that is below 0 or no number, or errors without ranges
     ViewTest(const HeightMap& map, const NestedErrors& errors, const Camera& camera, const ViewTolerance& tolerance);
+    /// For bounds that are known otherwise. @param frame  the map without its heights; has to outlive the test
+    ViewTest(const HeightMap& frame, const Camera& camera, const ViewTolerance& tolerance);
     /// Of a triangle that can be split.
     bool operator()(const BisectionTriangle& t) const { return pixels(t) > tolerance_.pixels; }
     /// The bound, in pixels, of a triangle that can be split; 0 where it cannot be seen, as good as infinite where there is no bound.
-    double pixels(const BisectionTriangle& t) const { return pixels(t, errors_.bounds(t.middle())); }
+    double pixels(const BisectionTriangle& t) const { return pixels(t, errors_->bounds(t.middle())); }
     /// @param bounds  of its middle
     double pixels(const BisectionTriangle& t, const PointBounds& bounds) const;
     bool splits(const BisectionTriangle& t, const PointBounds& bounds) const { return pixels(t, bounds) > tolerance_.pixels; }
+    /// At least the bound of every point in an area.
+    /// @param first, last       its corners, lattice points
+    /// @param bounds            around all its points
+    /// @param half_hypotenuse   of the largest hypotenuses that they split, in cells along a row or column
+    double pixels_of_area(const ivec2& first, const ivec2& last, const PointBounds& bounds, int half_hypotenuse) const;
+    double tolerance() const { return tolerance_.pixels; }
 
 private:
+    /// @param place, reach  its middle and half of its size, in columns and rows
+    /// @param level         of its points, above the finest
+    double pixels_of_box(const dvec2& place, const dvec2& reach, const PointBounds& bounds, int level) const;
+
     const HeightMap& map_;
-    const NestedErrors& errors_;
+    const NestedErrors* errors_ = nullptr;
     Camera camera_;
     ViewTolerance tolerance_;
     dvec3 right_, above_, forward_;

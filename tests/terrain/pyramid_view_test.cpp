@@ -1,0 +1,164 @@
+#include "limn/terrain/terrain_pyramid_view.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "limn/base/error.h"
+#include "limn/terrain/measure_terrain.h"
+#include "limn/terrain/terrain_mesh.h"
+#include "terrain/pyramid_support.h"
+
+namespace limn::test {
+namespace {
+
+/// Smooth enough that few tiles are needed at once.
+HeightMap hills(int columns, int rows)
+{
+    HeightMap map = map_of(columns, rows, [&](int x, int y) {
+        return 40 * std::sin(0.011 * x + 0.3) * std::cos(0.013 * y) + 6 * std::sin(0.09 * x - 0.07 * y) + 0.02 * ((x * 7 + y * 13) % 11);
+    });
+    for (int y = rows / 3; y < rows / 3 + 40; ++y)
+        for (int x = columns / 2; x < columns / 2 + 70; ++x)
+            map.heights[map.index(x, y)] = std::numeric_limits<float>::quiet_NaN();
+    return map;
+}
+
+class PyramidView : public testing::Test {
+protected:
+    PyramidView() : map_(hills(2000, 2030)), errors_(nest_errors(map_, {.ranges = true}))
+    {
+        build_pyramid(rows_of(map_), path());
+        pyramid_ = std::make_unique<TerrainPyramid>(path());
+    }
+    std::filesystem::path path() const { return folder_.path() / "t.pyramid"; }
+    Camera camera(double along) const
+    {
+        Camera camera;
+        camera.eye = {along * map_.columns, 100, 120};
+        camera.look = {along * map_.columns + 200, 700, 0};
+        camera.up = {0, 0, 1};
+        camera.size = {400, 300};
+        return camera;
+    }
+    /// Each edge inside belongs to two triangles: no cracks.
+    void expect_conforming(const std::vector<PyramidLeaf>& leaves) const
+    {
+        const ivec2 last = pyramid_->lattice().points() - 1;
+        const auto uses = edge_uses(leaves, [](const PyramidLeaf& leaf) { return std::array<ivec2, 3>{leaf.triangle.apex, leaf.triangle.a, leaf.triangle.b}; });
+        std::size_t open = 0;
+        for (const auto& [edge, count] : uses) {
+            const auto& [p, q] = edge;
+            const bool border = p.first >= map_.columns - 1 || p.second >= map_.rows - 1 || q.first >= map_.columns - 1 || q.second >= map_.rows - 1 ||
+                                (p.first == q.first && (p.first == 0 || p.first == last.x)) || (p.second == q.second && (p.second == 0 || p.second == last.y));
+            open += count != 2 && !border;
+        }
+        EXPECT_EQ(open, 0u);
+    }
+    TemporaryFolder folder_;
+    HeightMap map_;
+    NestedErrors errors_;
+    std::unique_ptr<TerrainPyramid> pyramid_;
+};
+
+TEST_F(PyramidView, EndsWithTheMeshOfTheWholeMapWhateverCameWhen)
+{
+    for (const int loaders : {1, 3}) {
+        TerrainPyramidView view(*pyramid_, {.loaders = loaders});
+        for (const double along : {0.1, 0.6, 0.2}) {
+            const TerrainPyramidView::Frame& frame = view.finish(camera(along), {.pixels = 0.5});
+            EXPECT_TRUE(frame.is_met());
+            EXPECT_FALSE(frame.over_budget);
+            const Mesh found = pyramid_mesh(*pyramid_, frame.leaves), wanted = terrain_mesh(map_, errors_.lattice, triangles_in_view(map_, errors_, camera(along), {.pixels = 0.5}));
+            EXPECT_EQ(found.positions, wanted.positions);
+            EXPECT_EQ(found.triangles, wanted.triangles);
+        }
+    }
+}
+
+TEST_F(PyramidView, HasNoCracksAndTellsWhereItIsTooCoarseWhileTilesArrive)
+{
+    TerrainPyramidView view(*pyramid_);
+    std::size_t frames = 0, before = 0;
+    for (bool done = false; !done; ++frames) {
+        const TerrainPyramidView::Frame& frame = view.update(camera(0.3), {.pixels = 0.5});
+        expect_conforming(frame.leaves);
+        EXPECT_GE(frame.leaves.size(), before);
+        before = frame.leaves.size();
+        done = frame.is_met();
+        EXPECT_EQ(done, frame.missing == 0);
+        if (frames == 0) {
+            EXPECT_FALSE(done);
+            EXPECT_GT(frame.missing, 0u);
+        }
+        view.wait();
+    }
+    EXPECT_GE(frames, std::size_t(pyramid_->layout().top())); // a tile is asked for when the ones above it are there
+    const MeasuredTerrain measured = measure_terrain(map_, pyramid_mesh(*pyramid_, view.update(camera(0.3), {.pixels = 0.5}).leaves), 0.5, camera(0.3), 0.01);
+    EXPECT_EQ(measured.over, 0u);
+}
+
+TEST_F(PyramidView, StaysWithinItsBudgetAndShowsWhatFits)
+{
+    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes(), top = std::size_t(pyramid_->layout().tiles(pyramid_->layout().top()).x) *
+                                                                       std::size_t(pyramid_->layout().tiles(pyramid_->layout().top()).y) * tile;
+    for (const std::size_t tiles : {std::size_t(0), std::size_t(3), std::size_t(9)}) {
+        TerrainPyramidView view(*pyramid_, {.budget = tiles * tile, .loaders = 2});
+        for (const double along : {0.1, 0.5, 0.8}) {
+            const TerrainPyramidView::Frame& frame = view.finish(camera(along), {.pixels = 0.02});
+            EXPECT_TRUE(frame.over_budget);
+            EXPECT_FALSE(frame.is_met());
+            expect_conforming(frame.leaves);
+            EXPECT_LE(view.most_bytes(), top + tiles * tile);
+        }
+    }
+}
+
+TEST_F(PyramidView, ForgetsTilesThatAreNotSeenAnyMoreForOthers)
+{
+    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes();
+    TerrainPyramidView all(*pyramid_);
+    std::size_t most = 0;
+    for (const double along : {0.1, 0.5, 0.9}) {
+        TerrainPyramidView one(*pyramid_);
+        one.finish(camera(along), {.pixels = 1});
+        most = std::max(most, one.bytes());
+    }
+    TerrainPyramidView view(*pyramid_, {.budget = most + tile});
+    for (const double along : {0.1, 0.5, 0.9, 0.1}) {
+        EXPECT_TRUE(view.finish(camera(along), {.pixels = 1}).is_met());
+        EXPECT_EQ(view.update(camera(along), {.pixels = 1}).leaves.size(), all.finish(camera(along), {.pixels = 1}).leaves.size());
+    }
+    EXPECT_LT(view.bytes(), all.bytes());
+}
+
+TEST_F(PyramidView, NamesTheTileThatCannotBeReadAndGoesOnWithoutIt)
+{
+    const TileId damaged = {pyramid_->layout().top() - 1, {0, 1}};
+    const std::uint64_t at = pyramid_->entry(damaged).offset + 100;
+    TerrainPyramidView view(*pyramid_);
+    const auto flip = [&] {
+        std::fstream file(path(), std::ios::in | std::ios::out | std::ios::binary);
+        file.seekg(std::streamoff(at));
+        const int byte = file.get();
+        file.seekp(std::streamoff(at));
+        file.put(char(byte ^ 0x40));
+    };
+    flip();
+    try {
+        view.finish(camera(0.1), {.pixels = 0.5});
+        ADD_FAILURE() << "the tile was read";
+    } catch (const Error::Read& error) {
+        EXPECT_EQ(std::string(error.what()), fmt::format("{}: tile 0,1 of level {} is damaged: its checksum does not match", path().string(), damaged.level));
+    }
+    const TerrainPyramidView::Frame& frame = view.update(camera(0.1), {.pixels = 0.5});
+    EXPECT_FALSE(frame.fault.empty());
+    EXPECT_FALSE(frame.is_met());
+    expect_conforming(frame.leaves);
+    flip();
+    view.retry();
+    EXPECT_TRUE(view.finish(camera(0.1), {.pixels = 0.5}).is_met());
+}
+
+} // namespace
+} // namespace limn::test
