@@ -14,6 +14,7 @@
 #include "limn/geometry/write_mesh.h"
 #include "limn/subdivision/mapped_mesh.h"
 #include "subcommand.h"
+#include "subdivide_hermite.h"
 #include "table_options.h"
 
 using namespace limn;
@@ -29,6 +30,7 @@ constexpr const char* examples = R"(Examples:
   limn subdivide cage.obj --normal-map cage.png -o game.obj
   limn subdivide cage.obj --levels 1 --normal-map cage.png --space tangent -o game.glb
   limn subdivide part.stl --crease-angle 40 --crease-rule biermann -o part.ply
+  limn subdivide scan.ply --scheme hermite --max-error 0.1 -o smooth.ply
   limn subdivide cage.obj --limit -o - --to ply | limn draw - -o cage.svg)";
 
 struct SubdivideCommand {
@@ -36,6 +38,7 @@ struct SubdivideCommand {
     std::string file, from;
     bool double_positions = false;
     SubdivideOptions options;
+    SubdivideScheme scheme;
     std::string normal_map; ///< file to write; "": none
     NormalMapOptions map;
 };
@@ -83,11 +86,14 @@ std::string subdivide_report(const SubdivideCommand& command, const Made& result
     nlohmann::ordered_json options, json = {{"limn", LIMN_VERSION}, {"command", "subdivide"}, {"file", command.file}};
     for (const OptionRow<SubdivideOptions>& row : subdivide_option_table())
         options[row.name] = row.get(command.options);
+    options.update(scheme_json(command.scheme));
     json["options"] = options;
     json["levels"] = made.levels;
     json["vertices"] = made.mesh.positions.size();
     json["triangles"] = made.mesh.triangles.size();
-    if (command.options.max_error > 0)
+    if (command.scheme.is_hermite())
+        json["error"] = {{"asked", command.options.max_error}};
+    else if (command.options.max_error > 0)
         json["error"] = {{"asked", command.options.max_error}, {"measured", made.measured}, {"points", made.measured_at}};
     if (result.mapped)
         json["normal_map"] = map_report(command, *result.mapped);
@@ -100,6 +106,9 @@ std::string subdivide_report(const SubdivideCommand& command, const Made& result
 std::string what_was_made(const SubdivideCommand& command, const Made& result)
 {
     const Subdivided& made = result.subdivided();
+    if (command.scheme.is_hermite())
+        return fmt::format("{}, {} vertices, {}, edges within {:.3g} of their curves", counted(made.mesh.triangles.size(), "triangle"),
+                           with_thousands(made.mesh.positions.size()), made.levels == 1 ? "1 pass" : fmt::format("{} passes", made.levels), command.options.max_error);
     std::string text = fmt::format("{}, {} vertices, {}", counted(made.mesh.triangles.size(), "triangle"), with_thousands(made.mesh.positions.size()),
                                    counted(std::size_t(made.levels), "level"));
     if (command.options.max_error > 0)
@@ -141,6 +150,7 @@ void check(const CLI::App& app, const SubdivideCommand& command, const std::vect
     if (outputs.empty() && !command.common.json)
         throw Error::Input("nothing to do: give -o FILE (ply, obj, stl, glb) or --json");
     check_cpu_only(command.common, "subdivide");
+    check_scheme(app, command.scheme);
     check_map(app, command, outputs);
 }
 
@@ -158,6 +168,8 @@ SubdivideOptions chosen_options(const CLI::App& app, const SubdivideCommand& com
 
 Made make(const SubdivideCommand& command, const Mesh& mesh)
 {
+    if (command.scheme.is_hermite())
+        return {subdivide_hermite(mesh, command.scheme, command.options.max_error), {}};
     if (command.normal_map.empty())
         return {subdivide(mesh, command.options), {}};
     return {{}, subdivide_with_map(mesh, command.options, command.map)};
@@ -185,6 +197,8 @@ void run(const CLI::App& app, SubdivideCommand& command)
     Console console(command.common.quiet);
     console.progress("reading", 0);
     const ReadResult read = read_control_mesh(command);
+    if (command.scheme.is_hermite())
+        command.options.max_error = hermite_error(read.mesh, command.options.max_error);
     console.progress("subdividing", 0.1);
     const Made made = make(command, read.mesh);
     Warnings warnings;
@@ -207,11 +221,12 @@ void run(const CLI::App& app, SubdivideCommand& command)
 Subcommand add_subdivide(CLI::App& limn)
 {
     auto command = std::make_shared<SubdivideCommand>();
-    CLI::App* app = limn.add_subcommand("subdivide", "Make a coarse control mesh fine and smooth (Loop subdivision)");
+    CLI::App* app = limn.add_subcommand("subdivide", "Make a coarse control mesh fine and smooth (Loop subdivision, or by its normals)");
     app->footer(examples);
     app->add_option("MODEL", command->file, "mesh of triangles in any format; polygons are cut; '-' is standard input");
     app->add_option("--from", command->from, "format of the model, whatever its name ends in")->type_name("FORMAT");
     add_table_options(*app, subdivide_option_table(), command->options, "Subdivision");
+    add_scheme_options(*app, command->scheme);
     app->add_option("--normal-map", command->normal_map, "write the limit surface's normals as PNG; implies --limit, and --levels 0 unless told")->type_name("FILE")->group("Normal map");
     add_table_options(*app, normal_map_option_table(), command->map, "Normal map");
     app->add_flag("--double", command->double_positions, "PLY and OBJ: write double positions instead of rounding to float")->group("Subdivision");

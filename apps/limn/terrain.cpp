@@ -21,6 +21,7 @@
 #include "table_options.h"
 #include "terrain_output.h"
 #include "terrain_pyramid.h"
+#include "terrain_smooth.h"
 #include "views.h"
 
 using namespace limn;
@@ -37,6 +38,7 @@ constexpr const char* examples = R"(Examples:
   limn terrain alps.tif -o alps.ply --triangles 100000
   limn terrain alps.tif -o alps.obj --method delaunay --max-error 2m
   limn terrain helens.dem -o print.stl --base 3 --print-size 150 --fill
+  limn terrain helens.dem -o close.png --smooth c2 --eye 3000,1000,2600 --look 4000,5000,2000
   limn terrain helens.dem --max-error 10m --method par --error-report
   limn terrain build country.tif -o country.pyramid
   limn terrain country.pyramid --eye 9000,-4000,3000 --look 9000,8000,1000 -o country.png)";
@@ -49,6 +51,7 @@ struct TerrainCommand {
     std::string max_error; ///< "" where none is given
     TerrainBuildOptions build;
     TerrainPictureOptions picture;
+    TerrainSmooth smooth;
     bool error_report = false, double_positions = false;
     double base = 0;       ///< mm where a print size is given, else metres; 0: none
     double print_size = 0; ///< mm; 0: metres as they are
@@ -101,11 +104,11 @@ std::optional<std::string> eye_fault(const HeightMap& map, const Camera& camera)
 }
 
 /// "1,234 triangles, at most 0.98 m off at 263,169 samples (1 m asked)".
-std::string what_was_built(const BuiltTerrain& terrain)
+std::string what_was_built(const BuiltTerrain& terrain, const std::string& measured_at)
 {
     const std::string unit = unit_of(terrain.asked);
     return fmt::format("{}, at most {:.4g} {} off at {} ({:.4g} {} asked)", counted(terrain.mesh.triangles.size(), "triangle"), terrain.measured.maximum, unit,
-                       counted(terrain.measured.samples, "sample"), terrain.asked.value, unit);
+                       counted(terrain.measured.samples, measured_at), terrain.asked.value, unit);
 }
 
 nlohmann::ordered_json mesh_json(const Made& made)
@@ -131,6 +134,7 @@ std::string report(const TerrainCommand& command, const ReadHeightMapResult& rea
         options[row.name] = row.get(command.build);
     for (const OptionRow<TerrainPictureOptions>& row : terrain_picture_option_table())
         options[row.name] = row.get(command.picture);
+    options.update(terrain_smooth_json(command.smooth));
     json["options"] = options;
     if (camera)
         json["camera"] = nlohmann::ordered_json::parse(camera_to_json(*camera));
@@ -145,15 +149,18 @@ std::string report(const TerrainCommand& command, const ReadHeightMapResult& rea
 /// Pictures and meshes have bounds of their own where none is asked for: a pixel, and a part of the relief.
 class Maker {
 public:
-    Maker(const TerrainCommand& command, const HeightMap& map, const std::vector<Output>& outputs) : command_(command), map_(map), outputs_(outputs), options_(command.build)
+    Maker(const TerrainCommand& command, const HeightMap& map, const std::vector<Output>& outputs) : command_(command), map_(map), outputs_(outputs), options_(command.build), picture_(command.picture)
     {
+        picture_.normal = ground_normal(command.smooth, map);
         if (!command.max_error.empty())
             options_.bound = parse_terrain_bound(command.max_error);
         const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
-        if (pictures || (options_.bound && options_.bound->in_pixels))
+        if (pictures || (options_.bound && options_.bound->in_pixels) || smoothing_needs_camera(command.smooth))
             camera_ = place_camera(command, map);
     }
     const std::optional<Camera>& camera() const { return camera_; }
+    /// What make() did besides.
+    const std::vector<std::string>& notes() const { return notes_; }
     std::vector<Made> make()
     {
         std::vector<Made> all;
@@ -172,18 +179,18 @@ public:
     }
 
 private:
-    BuiltTerrain built(bool for_picture) const
+    BuiltTerrain built(bool for_picture)
     {
         TerrainBuildOptions options = options_;
         if (for_picture && !options.bound && options.triangles == 0 && options.method != TerrainMethod::delaunay)
             options.bound = TerrainBound{1, true};
-        return build_terrain(map_, options, camera_);
+        return build_smooth_terrain(command_.smooth, map_, options, camera_, notes_);
     }
     void write(const Mesh& mesh, const std::vector<Output>& outputs) const
     {
         for (const Output& output : outputs) {
             if (is_picture(output))
-                write_file(output.path, encode_png(paint_terrain(map_, mesh, *camera_, command_.picture), {}));
+                write_file(output.path, encode_png(paint_terrain(map_, mesh, *camera_, picture_), {}));
             else
                 write_mesh(for_file(mesh, command_.print_size, command_.base), output.path, {.format = output.format, .double_positions = command_.double_positions});
         }
@@ -192,16 +199,21 @@ private:
     const HeightMap& map_;
     const std::vector<Output>& outputs_;
     TerrainBuildOptions options_;
+    TerrainPictureOptions picture_;
     std::optional<Camera> camera_;
+    std::vector<std::string> notes_;
 };
 
-void run(TerrainCommand& command)
+void run(const CLI::App& app, TerrainCommand& command)
 {
     if (command.file.empty())
         throw Error::Input("no height map given; see 'limn terrain --help'");
     const Stopwatch watch;
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     check(command, outputs);
+    check_terrain_smooth(app, command.smooth);
+    if (is_pyramid_file(command.file) && command.smooth.kind != TerrainSmooth::Kind::none)
+        throw Error::Input("--smooth: a pyramid has no surface between its samples; it needs a whole height map in memory");
     if (is_pyramid_file(command.file))
         return run_terrain_pyramid({command.common, command.file, command.view, command.max_error, command.build, command.picture, command.error_report,
                                     command.double_positions, command.base, command.print_size}, outputs);
@@ -218,12 +230,13 @@ void run(TerrainCommand& command)
     if (command.common.strict && !warnings.empty())
         throw Error::Read(warnings.line() + " (--strict)");
     const std::vector<Made> all = maker.make();
+    read.notes.insert(read.notes.end(), maker.notes().begin(), maker.notes().end());
     if (command.common.json)
         write_file("-", report(command, read, maker.camera(), all, warnings.all(), watch.total()));
     if (!warnings.empty())
         console.warn(warnings.line());
     std::vector<std::string> built;
-    std::transform(all.begin(), all.end(), std::back_inserter(built), [](const Made& made) { return what_was_built(made.terrain); });
+    std::transform(all.begin(), all.end(), std::back_inserter(built), [&](const Made& made) { return what_was_built(made.terrain, measured_thing(command.smooth)); });
     if (command.error_report && !command.common.json)
         for (const Made& made : all)
             write_file("-", error_lines(made.terrain));
@@ -254,14 +267,15 @@ Subcommand add_terrain(CLI::App& limn)
         ->check(CLI::Range(0.0, 1e9))
         ->group("Print");
     app->add_option("--print-size", command->print_size, "scale the mesh so that its longer side has so many mm")->type_name("MM")->check(CLI::Range(0.0, 1e6))->group("Print");
+    add_terrain_smooth_options(*app, command->smooth);
     add_table_options(*app, terrain_picture_option_table(), command->picture, "Picture");
     add_view_options(*app, command->view);
     add_common_options(*app, command->common, "file to write; may be given several times: png, ply, obj, stl, glb; '-' is standard output");
     const Subcommand build = add_terrain_build(*app);
-    return {app, [command, build] {
+    return {app, [app, command, build] {
                 if (build.app->parsed())
                     build.run();
                 else
-                    with_threads(command->common.threads, [&] { run(*command); });
+                    with_threads(command->common.threads, [&] { run(*app, *command); });
             }};
 }

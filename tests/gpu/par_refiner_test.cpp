@@ -172,6 +172,10 @@ TEST_F(GpuPar, MakesRoomWhereThereIsTooLittle)
     par.complete();
     EXPECT_EQ(par.triangles(), refine_in_parallel(lattice, root_triangles(lattice), middle_height_test(map, 0)).triangles);
     EXPECT_THROW(par.refine(-1), Error::Input);
+
+    const std::size_t start = 2 * 16, small_things = 1344 + 16;
+    EXPECT_LE(par.capacity(), 2 * 123800u);
+    EXPECT_EQ(par.bytes(), 48 * par.capacity() + 4 * ((par.capacity() + 255) / 256) + 4 * ((257 * 257 + 31) / 32) + start + small_things);
 }
 
 /// Checklist 20.

@@ -35,6 +35,9 @@ public:
     std::vector<ParStep> steps();               ///< of the last view, completed. Waits for the device
     const TerrainPieces& pieces() const { return pieces_; } ///< what is drawn
     std::size_t capacity() const { return lists_.capacity(); }
+    /// On the device, beside the terrain: 48 for each triangle that there is room for, which are those asked for at first or at most twice what the
+    /// largest mesh took, and a bit for each lattice point.
+    std::size_t bytes() const { return lists_.bytes() + pieces_.bytes() + edge_error_map_.bytes() + start_.bytes(); }
     std::size_t refinements() const { return refinements_; } ///< how many views were queued: one that is the same as before it is not
 
 private:

@@ -141,8 +141,7 @@ Texture make_texture_array(const std::vector<const Image*>& layers)
     const ivec2 size = layers[0]->size();
     glTextureStorage3D(id, 1, GL_RGBA16, size.x, size.y, GLsizei(layers.size()));
     for (std::size_t k = 0; k < layers.size(); ++k)
-        glTextureSubImage3D(id, 0, 0, 0, GLint(k), size.x, size.y, 1, layers[k]->channels == 3 ? GL_RGB : GL_RGBA, GL_FLOAT,
-                            layers[k]->samples.data());
+        glTextureSubImage3D(id, 0, 0, 0, GLint(k), size.x, size.y, 1, layers[k]->channels == 3 ? GL_RGB : GL_RGBA, GL_FLOAT, layers[k]->samples.data());
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     check_room(fmt::format("{} textures of {} x {}", layers.size(), size.x, size.y));
@@ -184,10 +183,7 @@ void Framebuffer::clear(int colour, unsigned value) const
 void Framebuffer::clear_depth(float value) const { glClearNamedFramebufferfv(name_.id(), GL_DEPTH, 0, &value); }
 
 std::vector<vec4> Framebuffer::read_floats(int index) const { return read_texture<vec4>(colour(index), size_, GL_RGBA, GL_FLOAT); }
-std::vector<unsigned> Framebuffer::read_unsigned(int index) const
-{
-    return read_texture<unsigned>(colour(index), size_, GL_RED_INTEGER, GL_UNSIGNED_INT);
-}
+std::vector<unsigned> Framebuffer::read_unsigned(int index) const { return read_texture<unsigned>(colour(index), size_, GL_RED_INTEGER, GL_UNSIGNED_INT); }
 std::vector<float> Framebuffer::read_depth() const { return read_texture<float>(depth_, size_, GL_DEPTH_COMPONENT, GL_FLOAT); }
 
 Timer::Timer()

@@ -27,6 +27,8 @@ public:
     explicit TerrainLists(std::size_t capacity);
 
     std::size_t capacity() const { return capacity_; }
+    /// On the device: 32 for each triangle that there is room for, 4 for each block, and 1,344 for the state.
+    std::size_t bytes() const { return first_.bytes() + second_.bytes() + sums_.bytes() + state_.bytes() + report_.bytes(); }
     /// Makes room for more; what the lists hold stays.
     void grow(std::size_t capacity);
     void set_pieces_capacity(std::size_t capacity) const;

@@ -16,6 +16,7 @@ public:
     /// @param capacity  pieces
     TerrainPieces(const TerrainBuffers& terrain, std::size_t capacity);
     std::size_t capacity() const { return capacity_; }
+    std::size_t bytes() const { return triangles_.bytes() + command_.bytes(); } ///< on the device: 16 for each piece and for the command
     /// Makes room for more; what is drawn stays.
     void grow(std::size_t capacity);
     /// Nothing is culled.

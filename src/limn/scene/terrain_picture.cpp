@@ -144,7 +144,8 @@ dvec3 terrain_normal(const HeightMap& map, const dvec2& place)
 
 Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
 {
-    return paint_terrain([&](const dvec3& place) { return terrain_normal(map, dvec2(place)); }, mesh, camera, options);
+    const auto normal = [&](const dvec3& place) { return options.normal ? options.normal(dvec2(place)) : terrain_normal(map, dvec2(place)); };
+    return paint_terrain(normal, mesh, camera, options);
 }
 
 Image paint_terrain(const std::function<dvec3(const dvec3&)>& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)

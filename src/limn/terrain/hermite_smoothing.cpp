@@ -22,7 +22,7 @@ void check(const Mesh& mesh, std::span<const dvec3> normals, const HermiteBound&
     if (!(bound.error > 0) || !std::isfinite(bound.error))
         throw Error::Input(fmt::format("smoothing to {}: it has to be above 0", bound.error));
     if (!(options.tangents >= 0 && options.tangents <= 1))
-        throw Error::Input(fmt::format("--tangents: {} is out of range 0..1", options.tangents));
+        throw Error::Input(fmt::format("--lt: {} is out of range 0..1", options.tangents));
     if (options.passes < 0)
         throw Error::Input(fmt::format("--smooth-passes: {} is below 0", options.passes));
     const std::size_t n = mesh.triangles.size();
@@ -104,7 +104,7 @@ const OptionTable<HermiteOptions>& hermite_option_table()
     static const OptionTable<Options> table = {
         choice_row<Options, HermiteRule>("smooth-rule", {{"repaired", HermiteRule::repaired}, {"seed", HermiteRule::seed}},
                                          "which edges are bent: as published (seed), or with tests at their quarters and in all triangles of an edge", &Options::rule),
-        number_row("tangents", "", 0, 1, "how much edges follow the tangents at their ends; published: 0.5", &Options::tangents),
+        number_row("lt", "", 0, 1, "weight of the tangents that edges follow at their ends; published: 0.5", &Options::tangents),
         choice_row<Options, Reclassify>("reclassify", {{"first", Reclassify::first}, {"every", Reclassify::every}}, "passes that look for S-shaped edges; published: first",
                                         &Options::reclassify),
         number_row("smooth-passes", "", 0, 30, "at most so many passes", &Options::passes),

@@ -33,7 +33,7 @@ struct HermiteOptions {
     int passes = 16;                             ///< at most; each bisects triangles once or twice
 };
 
-/// The options as data, named for a mesh's smoothing: smooth-rule, tangents, reclassify, smooth-passes.
+/// The options as data, named for a mesh's smoothing: smooth-rule, lt, reclassify, smooth-passes.
 const OptionTable<HermiteOptions>& hermite_option_table();
 
 /// How far edges may stay from their curves, above 0: in the mesh's unit, or in pixels where a camera is given.

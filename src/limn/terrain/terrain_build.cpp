@@ -143,6 +143,8 @@ const OptionTable<TerrainBuildOptions>& terrain_build_option_table()
     return table;
 }
 
+TerrainBound usual_bound(const HeightMap& map, double exaggerate) { return {relief(map) / exaggerate * share_of_relief, false}; }
+
 HeightMap exaggerated(HeightMap map, double factor)
 {
     if (!(factor > 0 && std::isfinite(factor)))
@@ -156,7 +158,7 @@ HeightMap exaggerated(HeightMap map, double factor)
 BuiltTerrain build_terrain(const HeightMap& map, const TerrainBuildOptions& options, const std::optional<Camera>& camera)
 {
     BuiltTerrain built;
-    built.asked = options.bound.value_or(TerrainBound{relief(map) / options.exaggerate * share_of_relief, false});
+    built.asked = options.bound.value_or(usual_bound(map, options.exaggerate));
     check(options, built.asked, camera.has_value());
     built.mesh = make_mesh(map, options, built.asked, camera);
     measure_built(map, built, options.exaggerate, camera);

@@ -43,6 +43,10 @@ struct BuiltTerrain {
     MeasuredTerrain measured; ///< against every sample, in the bound's unit (metres are true ones)
 };
 
+/// A 500th of the relief.
+/// @param map  exaggerated() by the factor
+TerrainBound usual_bound(const HeightMap& map, double exaggerate);
+
 /// Heights times a factor. @throws Error::Input for a factor that is not above 0
 HeightMap exaggerated(HeightMap map, double factor);
 

@@ -13,6 +13,8 @@ uniform vec2 across;       // half of the picture at depth 1
 uniform float margin;      // metres, more than what rounding moves
 uniform uint cull;
 
+/// Whether a height is a number: by its bits, since compilers take liberties with comparisons.
+bool has_data(const float height) { return (floatBitsToUint(height) & 0x7fffffffu) <= 0x7f800000u; }
 uint point_index(const ivec2 p) { return uint(p.y) * uint(points.x) + uint(p.x); }
 
 /// A place relative to the eye.

@@ -4,7 +4,6 @@
 layout(std430, binding = 5) readonly buffer Heights { float heights[]; };
 layout(std430, binding = 6) readonly buffer Ranges { vec2 ranges[]; }; // lowest and highest sample around a lattice point
 
-bool has_data(const float height) { return (floatBitsToUint(height) & 0x7fffffffu) <= 0x7f800000u; }
 /// Outside the map that of the nearest sample.
 float height_at(const ivec2 p) { ivec2 q = min(p, samples - 1); return heights[uint(q.y) * uint(samples.x) + uint(q.x)]; }
 

@@ -1,0 +1,3 @@
+layout(location = 0) out uint mark;
+
+void main() { mark = 1u; }
