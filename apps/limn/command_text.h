@@ -20,6 +20,7 @@ struct OptionText {
 struct CommandText {
     std::string name, help, footer;
     std::vector<OptionText> options; ///< arguments among them; in their order
+    std::vector<CommandText> subcommands = {}; ///< "terrain build"
 };
 
 CommandText describe(const CLI::App& app);

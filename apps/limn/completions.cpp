@@ -50,6 +50,8 @@ std::vector<std::string> argument_words(const CommandText& command)
     for (const OptionText& option : command.options)
         if (option.positional)
             words.insert(words.end(), option.words.begin(), option.words.end());
+    for (const CommandText& inner : command.subcommands)
+        words.push_back(inner.name.substr(inner.name.rfind(' ') + 1));
     return words;
 }
 
@@ -75,7 +77,10 @@ std::string bash_branch(const CommandText& command)
     if (!values.empty())
         out += "        case $previous in\n" + values + "        esac\n";
     out += fmt::format("        if [[ $current == -* ]]; then {}; return; fi\n", bash_reply_words(option_names(command)));
-    if (const std::vector<std::string> words = argument_words(command); !words.empty())
+    const std::vector<std::string> words = argument_words(command);
+    if (!words.empty() && takes_files(command))
+        out += fmt::format("        {}\n", bash_reply(fmt::format("-f -W '{}'", join(words, " "))));
+    else if (!words.empty())
         out += fmt::format("        {}\n", bash_reply_words(words));
     else if (takes_files(command))
         out += fmt::format("        {}\n", bash_reply("-f"));
@@ -183,7 +188,7 @@ std::string fish_completions(const CommandText& limn, const std::vector<CommandT
         out += fmt::format("complete -c limn -n __fish_use_subcommand -a {} -d {}\n", command.name, fish_quoted(command.help));
         const std::string seen = "__fish_seen_subcommand_from " + command.name;
         if (const std::vector<std::string> words = argument_words(command); !words.empty())
-            out += fmt::format("complete -c limn -n {} -f -a {}\n", fish_quoted(seen), fish_quoted(join(words, " ")));
+            out += fmt::format("complete -c limn -n {} {}-a {}\n", fish_quoted(seen), takes_files(command) ? "" : "-f ", fish_quoted(join(words, " ")));
         for (const OptionText& option : command.options)
             if (!option.positional)
                 out += fish_option(seen, option);

@@ -49,6 +49,8 @@ std::string two_columns(const std::string& head, const std::string& text)
 
 } // namespace
 
+std::string full_name(const CLI::App& app) { return app.get_parent() ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name(); }
+
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const
 {
     std::string head = is_positional ? option->get_name(true) : option->get_name(false, true);
@@ -58,13 +60,12 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positi
     return two_columns(head, option->get_description());
 }
 
-std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) const
+std::string HelpFormatter::make_usage(const CLI::App* app, std::string) const
 {
-    const CLI::App* parent = app->get_parent();
-    std::string line = "Usage: " + (parent && name.rfind(parent->get_name(), 0) != 0 ? parent->get_name() + " " + name : name);
+    std::string line = "Usage: " + full_name(*app);
     for (const CLI::Option* option : app->get_options([](const CLI::Option* o) { return o->get_positional(); }))
         line += " " + option->get_name(true) + (option->get_expected_max() > 1 ? "..." : "");
-    if (!app->get_subcommands([](const CLI::App*) { return true; }).empty())
+    if (!app->get_parent())
         line += " COMMAND";
     return "\n" + line + " [OPTIONS]\n";
 }

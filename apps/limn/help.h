@@ -1,6 +1,11 @@
 #pragma once
 
+#include <string>
+
 #include <CLI/CLI.hpp>
+
+/// "limn terrain build".
+std::string full_name(const CLI::App& app);
 
 /// Help texts: one column of options, one of wrapped explanations, 100 columns in all.
 class HelpFormatter : public CLI::Formatter {

@@ -39,16 +39,11 @@ std::vector<std::string> subcommand_names(const CLI::App& app)
     return names;
 }
 
-/// The app whose options are being parsed: the chosen subcommand, or the command itself.
+/// The app whose options are being parsed: the chosen subcommand, or one of its own, or the command itself.
 const CLI::App& chosen(const CLI::App& app)
 {
     const std::vector<CLI::App*> parsed = app.get_subcommands();
-    return parsed.empty() ? app : *parsed.front();
-}
-
-std::string full_name(const CLI::App& app)
-{
-    return app.get_parent() ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name();
+    return parsed.empty() ? app : chosen(*parsed.front());
 }
 
 /// "unknown option '--sise'; did you mean '--size'?"

@@ -75,6 +75,8 @@ std::string command_section(const CommandText& command)
     }
     if (!command.footer.empty())
         out += ".PP\n.nf\n" + plain_lines(command.footer) + ".fi\n";
+    for (const CommandText& inner : command.subcommands)
+        out += command_section(inner);
     return out;
 }
 
@@ -84,8 +86,11 @@ std::string man_page(const CommandText& limn, const std::vector<CommandText>& co
 {
     std::string out = fmt::format(".TH LIMN 1 \"\" \"limn {}\" \"User Commands\"\n.ad l\n", LIMN_VERSION);
     out += ".SH NAME\nlimn \\- draws the shape of 3D things\n.SH SYNOPSIS\n";
-    for (const CommandText& command : commands)
+    for (const CommandText& command : commands) {
         out += synopsis(command) + ".br\n";
+        for (const CommandText& inner : command.subcommands)
+            out += synopsis(inner) + ".br\n";
+    }
     out += ".SH DESCRIPTION\n" + plain_lines(limn.help) + ".SH OPTIONS\n";
     for (const OptionText& option : limn.options)
         out += option_entry(option);

@@ -210,12 +210,11 @@ void run(const CLI::App& app, TerrainCommand& command)
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     check(command, outputs);
     check_terrain_smooth(app, command.smooth);
-    if (is_pyramid_file(command.file)) {
-        if (command.smooth.kind != TerrainSmooth::Kind::none)
-            throw Error::Input("--smooth needs a whole height map in memory; a pyramid is in tiles");
+    if (is_pyramid_file(command.file) && command.smooth.kind != TerrainSmooth::Kind::none)
+        throw Error::Input("--smooth: a pyramid has no surface between its samples; it needs a whole height map in memory");
+    if (is_pyramid_file(command.file))
         return run_terrain_pyramid({command.common, command.file, command.view, command.max_error, command.build, command.picture, command.error_report,
                                     command.double_positions, command.base, command.print_size}, outputs);
-    }
     Console console(command.common.quiet);
     console.progress("reading", 0);
     ReadHeightMapResult read = read_height_map_with_notes(command.file, command.read);

@@ -10,6 +10,7 @@
 #include "limn/base/parallel.h"
 #include "limn/terrain/build_pyramid.h"
 #include "limn/terrain/height_raster.h"
+#include "peak_memory.h"
 #include "table_options.h"
 #include "terrain_pyramid.h"
 
@@ -40,13 +41,12 @@ std::string check(const BuildCommand& command)
     const std::string& path = outputs.front().path;
     if (path == "-" || is_special_file(path))
         throw Error::Input(fmt::format("-o {}: a pyramid is written here and there; give a file", path));
-    if (command.read.fill)
-        throw Error::Input("--fill: needs the whole map in memory; fill a raster's holes before it is built");
     check_cpu_only(command.common, "terrain build");
     return path;
 }
 
-std::string report(const BuildCommand& command, const HeightMap& frame, const std::vector<std::string>& notes, const BuiltPyramid& built, double seconds)
+std::string report(const BuildCommand& command, const HeightMap& frame, const std::vector<std::string>& notes, const BuiltPyramid& built,
+                   double seconds)
 {
     const nlohmann::ordered_json json = {{"limn", LIMN_VERSION},
                                          {"command", "terrain build"},
@@ -61,6 +61,7 @@ std::string report(const BuildCommand& command, const HeightMap& frame, const st
                                          {"high", built.high},
                                          {"tiles", {{"all", built.tiles}, {"with_data", built.tiles_with_data}}},
                                          {"bytes", built.bytes},
+                                         {"peak_memory", peak_memory()},
                                          {"seconds", {{"total", seconds}}}};
     return json.dump(2) + "\n";
 }
@@ -80,8 +81,9 @@ void run(const BuildCommand& command)
     if (command.common.json)
         write_file("-", report(command, rows.frame, notes, built, watch.total()));
     const std::string noted = notes.empty() ? "" : "; " + join(notes, "; ");
-    console.finish(fmt::format("{}: {} x {} samples in {}, {:.1f} MB{}, {}", what_was_written(command.common.outputs), with_thousands(std::size_t(rows.frame.columns)),
-                               with_thousands(std::size_t(rows.frame.rows)), counted(built.tiles_with_data, "tile"), double(built.bytes) / 1e6, noted, seconds_text(watch.total())));
+    console.finish(fmt::format("{}: {} x {} samples in {}, {:.1f} MB{}, {}", what_was_written(command.common.outputs),
+                               with_thousands(std::size_t(rows.frame.columns)), with_thousands(std::size_t(rows.frame.rows)),
+                               counted(built.tiles_with_data, "tile"), double(built.bytes) / 1e6, noted, seconds_text(watch.total())));
 }
 
 } // namespace
@@ -92,7 +94,9 @@ Subcommand add_terrain_build(CLI::App& terrain)
     CLI::App* app = terrain.add_subcommand("build", "Make a tile pyramid of a height map of any size, which need not fit in memory");
     app->footer(examples);
     app->add_option("DEM", command->file, "height map to read: GeoTIFF, USGS DEM, SRTM, ASCII grid, VRT and more");
-    add_table_options(*app, read_height_map_option_table(), command->read, "Height map");
+    for (const OptionRow<ReadHeightMapOptions>& row : read_height_map_option_table())
+        if (row.name != "fill") // needs the whole map in memory
+            add_table_row(*app, row, command->read, "Height map");
     add_common_options(*app, command->common, "pyramid to write");
     return {app, [command] { with_threads(command->common.threads, [&] { run(*command); }); }};
 }

@@ -38,7 +38,8 @@ std::string error_lines(const BuiltTerrain& terrain)
 {
     const std::string unit = unit_of(terrain.asked);
     const MeasuredTerrain& m = terrain.measured;
-    return fmt::format("bound asked   {:.6g} {}\nmaximum       {:.6g} {}\nRMS           {:.6g} {}\nsamples       {}\nover          {}\nwithout mesh  {}\ntriangles     {}\n", terrain.asked.value,
-                       unit, m.maximum, unit, m.rms, unit, with_thousands(m.samples), with_thousands(m.over), with_thousands(m.bare),
-                       with_thousands(terrain.mesh.triangles.size()));
+    return fmt::format("bound asked   {:.6g} {}\nmaximum       {:.6g} {}\nRMS           {:.6g} {}\nsamples       {}\nover          "
+                       "{}\nwithout mesh  {}\ntriangles     {}\n",
+                       terrain.asked.value, unit, m.maximum, unit, m.rms, unit, with_thousands(m.samples), with_thousands(m.over),
+                       with_thousands(m.bare), with_thousands(terrain.mesh.triangles.size()));
 }

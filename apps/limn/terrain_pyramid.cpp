@@ -15,6 +15,7 @@
 #include "limn/scene/pyramid_normals.h"
 #include "limn/terrain/measure_terrain.h"
 #include "limn/terrain/pyramid_leaves.h"
+#include "peak_memory.h"
 #include "terrain_output.h"
 
 using namespace limn;
@@ -34,7 +35,8 @@ void check(const PyramidCommand& command, const std::vector<Output>& outputs)
         throw Error::Input("--triangles: of a pyramid, say --max-error");
     for (const Output& output : outputs)
         if (!is_picture(output) && output.format != "ply" && output.format != "obj" && output.format != "stl" && output.format != "glb")
-            throw Error::Input(fmt::format("-o {}: of a pyramid there are png, ply, obj, stl and glb; a drawing needs a whole height map in memory", output.path));
+            throw Error::Input(fmt::format(
+                "-o {}: of a pyramid there are png, ply, obj, stl and glb; a drawing needs a whole height map in memory", output.path));
 }
 
 /// What was made for one kind of output.
@@ -62,7 +64,8 @@ public:
         std::vector<Made> all;
         for (const bool pictures : {true, false}) {
             std::vector<Output> mine;
-            std::copy_if(outputs_.begin(), outputs_.end(), std::back_inserter(mine), [&](const Output& output) { return is_picture(output) == pictures; });
+            std::copy_if(outputs_.begin(), outputs_.end(), std::back_inserter(mine),
+                         [&](const Output& output) { return is_picture(output) == pictures; });
             if (mine.empty() && (pictures || !outputs_.empty()))
                 continue; // without outputs, the mesh is made all the same
             if (all.empty() || !bound_)
@@ -112,8 +115,9 @@ private:
         BuiltTerrain built;
         built.asked = bound_ ? *bound_ : for_picture ? TerrainBound{1, true} : TerrainBound{relief() / 500, false};
         const double metres = built.asked.value * options.exaggerate;
-        built.mesh = mesh(built.asked.in_pixels ? view_test(pyramid_, *camera_, {.pixels = built.asked.value}, options.max_edge, options.exaggerate)
-                                                : metric_test(pyramid_, metres, options.max_edge, options.exaggerate));
+        built.mesh =
+            mesh(built.asked.in_pixels ? view_test(pyramid_, *camera_, {.pixels = built.asked.value}, options.max_edge, options.exaggerate)
+                                       : metric_test(pyramid_, metres, options.max_edge, options.exaggerate));
         if (!command_.error_report)
             return built;
         const HeightRows rows = rows_of(pyramid_);
@@ -128,13 +132,15 @@ private:
     void write(const Mesh& mesh, const Output& output)
     {
         if (!is_picture(output)) {
-            write_mesh(for_file(mesh, command_.print_size, command_.base), output.path, {.format = output.format, .double_positions = command_.double_positions});
+            write_mesh(for_file(mesh, command_.print_size, command_.base), output.path,
+                       {.format = output.format, .double_positions = command_.double_positions});
             return;
         }
         tiles_.clear();
         TileCache heights(pyramid_, picture_budget, TileParts::heights);
         const PyramidNormals normals(heights, *camera_, command_.build.exaggerate);
-        write_file(output.path, encode_png(paint_terrain([&](const dvec3& place) { return normals(place); }, mesh, *camera_, command_.picture), {}));
+        write_file(output.path,
+                   encode_png(paint_terrain([&](const dvec3& place) { return normals(place); }, mesh, *camera_, command_.picture), {}));
     }
 
     const PyramidCommand& command_;
@@ -150,8 +156,8 @@ std::string what_was_built(const BuiltTerrain& terrain, bool measured)
     const std::string unit = unit_of(terrain.asked), triangles = counted(terrain.mesh.triangles.size(), "triangle");
     if (!measured)
         return fmt::format("{} within {:.4g} {} (--error-report measures it)", triangles, terrain.asked.value, unit);
-    return fmt::format("{}, at most {:.4g} {} off at {} ({:.4g} {} asked)", triangles, terrain.measured.maximum, unit, counted(terrain.measured.samples, "sample"),
-                       terrain.asked.value, unit);
+    return fmt::format("{}, at most {:.4g} {} off at {} ({:.4g} {} asked)", triangles, terrain.measured.maximum, unit,
+                       counted(terrain.measured.samples, "sample"), terrain.asked.value, unit);
 }
 
 nlohmann::ordered_json mesh_json(const Made& made, bool measured)
@@ -166,7 +172,8 @@ nlohmann::ordered_json mesh_json(const Made& made, bool measured)
             {"error", error}};
 }
 
-std::string report(const PyramidCommand& command, const Maker& maker, const std::vector<Made>& all, const std::vector<std::string>& warnings, double seconds)
+std::string report(const PyramidCommand& command, const Maker& maker, const std::vector<Made>& all,
+                   const std::vector<std::string>& warnings, double seconds)
 {
     const TerrainPyramid& pyramid = maker.pyramid();
     const HeightMap& frame = pyramid.frame();
@@ -183,6 +190,7 @@ std::string report(const PyramidCommand& command, const Maker& maker, const std:
     for (const Made& made : all)
         json["meshes"].push_back(mesh_json(made, command.error_report));
     json["warnings"] = warnings;
+    json["peak_memory"] = peak_memory();
     json["seconds"] = {{"total", seconds}};
     return json.dump(2) + "\n";
 }
@@ -208,7 +216,8 @@ void run_terrain_pyramid(const PyramidCommand& command, const std::vector<Output
     if (!warnings.empty())
         console.warn(warnings.line());
     std::vector<std::string> built;
-    std::transform(all.begin(), all.end(), std::back_inserter(built), [&](const Made& made) { return what_was_built(made.terrain, command.error_report); });
+    std::transform(all.begin(), all.end(), std::back_inserter(built),
+                   [&](const Made& made) { return what_was_built(made.terrain, command.error_report); });
     if (command.error_report && !command.common.json)
         for (const Made& made : all)
             write_file("-", error_lines(made.terrain));

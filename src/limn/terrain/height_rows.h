@@ -19,6 +19,7 @@ struct HeightRows {
 /// The rows of a raster, a map or a pyramid, which have to outlive the result.
 HeightRows rows_of(HeightRaster& raster);
 HeightRows rows_of(const HeightMap& map);
+HeightRows rows_of(HeightMap&& map) = delete;
 HeightRows rows_of(const TerrainPyramid& pyramid);
 
 } // namespace limn

@@ -86,7 +86,7 @@ private:
     {
         const std::size_t at = lattice_.index(point.middle());
         if (!ranges_) {
-            out_.errors[at] = bounds_of_point(lattice_, window_, point, [&](const ivec2& p) { return PointBounds{out_.error(p), 0, 0}; }).error;
+            out_.errors[at] = bounds_of_point<false>(lattice_, window_, point, [&](const ivec2& p) { return PointBounds{out_.error(p), 0, 0}; }).error;
             return;
         }
         const PointBounds bounds = bounds_of_point(lattice_, window_, point, [&](const ivec2& p) { return out_.bounds(p); });

@@ -39,7 +39,10 @@ BisectionTriangle longest_in(const TileId& id)
 /// The tile of each level that was needed last, read when it is.
 class TilesInReach {
 public:
-    TilesInReach(TileCache& tiles, const PyramidTest& test) : tiles_(tiles), layout_(tiles.pyramid().layout()), test_(test), at_(std::size_t(layout_.levels())) {}
+    TilesInReach(TileCache& tiles, const PyramidTest& test)
+        : tiles_(tiles), layout_(tiles.pyramid().layout()), test_(test), at_(std::size_t(layout_.levels()))
+    {
+    }
     const TerrainTile* tile_for(const BisectionTriangle& t)
     {
         const TileId id = layout_.tile_of(t);

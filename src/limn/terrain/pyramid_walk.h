@@ -11,7 +11,8 @@ namespace limn {
 //   const TerrainTile& top(const TileId&)                  a tile of the coarsest level
 
 /// @return false where the leaf stays one
-template <class Tiles> bool split_pyramid_leaf(const PyramidLeaf& leaf, Tiles& tiles, const PyramidTest& test, PyramidLeaf& left, PyramidLeaf& right)
+template <class Tiles>
+bool split_pyramid_leaf(const PyramidLeaf& leaf, Tiles& tiles, const PyramidTest& test, PyramidLeaf& left, PyramidLeaf& right)
 {
     const BisectionTriangle& t = leaf.triangle;
     if (!t.can_split())
@@ -29,7 +30,8 @@ template <class Tiles> bool split_pyramid_leaf(const PyramidLeaf& leaf, Tiles& t
 }
 
 /// Calls `f(leaf)` for the leaves below one, in the order of the hierarchy, without those outside the map.
-template <class Tiles, class F> void each_pyramid_leaf(const Lattice& lattice, const PyramidLeaf& leaf, Tiles& tiles, const PyramidTest& test, F&& f)
+template <class Tiles, class F>
+void each_pyramid_leaf(const Lattice& lattice, const PyramidLeaf& leaf, Tiles& tiles, const PyramidTest& test, F&& f)
 {
     if (lattice.is_outside_in_part(leaf.triangle) && !lattice.is_inside_in_part(leaf.triangle))
         return;

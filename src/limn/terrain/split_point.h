@@ -74,9 +74,11 @@ struct GrowingBounds {
             return;
         low = std::min(low, height), high = std::max(high, height);
     }
-    void nest(const PointBounds& below)
+    template <bool ranges = true> void nest(const PointBounds& below)
     {
         error = std::max(error, double(below.error));
+        if (!ranges)
+            return;
         low = std::min(low, below.low), high = std::max(high, below.high);
     }
     PointBounds rounded() const { return {rounded_up(error), low, high}; }
@@ -98,23 +100,24 @@ inline double error_beside_legs(const Lattice& lattice, const HeightWindow& wind
 }
 
 /// What is known of a point once all below are.
+/// @tparam ranges  whether lowest and highest heights are wanted
 /// @param window  with all samples of its triangles
 /// @param below   of a point: its PointBounds
-template <class Below>
+template <bool ranges = true, class Below>
 PointBounds bounds_of_point(const Lattice& lattice, const HeightWindow& window, const SplitPoint& point, const Below& below)
 {
     GrowingBounds bounds;
     const bool legs_split = can_split(point.apexes[0], point.a);
     const auto include = [&](const ivec2& p) {
-        if (lattice.is_sample(p))
+        if (ranges && lattice.is_sample(p))
             bounds.include(window.height(p));
     };
     for (int i = 0; i < point.count; ++i) {
         const ivec2& apex = point.apexes[i];
         bounds.error = std::max(bounds.error, error_beside_legs(lattice, window, point.triangle(i)));
         if (legs_split) {
-            bounds.nest(below((apex + point.a) / 2));
-            bounds.nest(below((apex + point.b) / 2));
+            bounds.nest<ranges>(below((apex + point.a) / 2));
+            bounds.nest<ranges>(below((apex + point.b) / 2));
         } else {
             include(apex);
         }

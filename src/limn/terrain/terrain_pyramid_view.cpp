@@ -15,7 +15,8 @@ namespace {
 /// The tiles of the next coarser level that touch a tile: four, fewer at the lattice's border.
 template <class F> void each_touching_above(const PyramidLayout& layout, const TileId& id, F&& f)
 {
-    const ivec2 above = id.at / 2, aside = above + ivec2(id.at.x % 2 == 0 ? -1 : 1, id.at.y % 2 == 0 ? -1 : 1), end = layout.tiles(id.level + 1);
+    const ivec2 above = id.at / 2, aside = above + ivec2(id.at.x % 2 == 0 ? -1 : 1, id.at.y % 2 == 0 ? -1 : 1),
+                end = layout.tiles(id.level + 1);
     for (const int y : {above.y, aside.y})
         for (const int x : {above.x, aside.x})
             if (x >= 0 && y >= 0 && x < end.x && y < end.y)
@@ -67,7 +68,8 @@ public:
             if (wanted.id.level < layout_.top())
                 all.push_back(wanted);
         std::sort(all.begin(), all.end(), [&](const Wanted& a, const Wanted& b) {
-            return std::make_tuple(-a.shows, layout_.index(a.id)) < std::make_tuple(-b.shows, layout_.index(b.id)); // coarser levels have lower numbers
+            return std::make_tuple(-a.shows, layout_.index(a.id)) <
+                   std::make_tuple(-b.shows, layout_.index(b.id)); // coarser levels have lower numbers
         });
         return all;
     }
@@ -217,7 +219,8 @@ void TerrainPyramidView::ask_for(const Tiles& tiles)
 void TerrainPyramidView::make_room(std::vector<TileId>& missing)
 {
     const std::vector<TileId> under_way = loader_.under_way();
-    const auto unwanted = std::count_if(under_way.begin(), under_way.end(), [&](const TileId& id) { return std::find(missing.begin(), missing.end(), id) == missing.end(); });
+    const auto unwanted = std::count_if(under_way.begin(), under_way.end(),
+                                        [&](const TileId& id) { return std::find(missing.begin(), missing.end(), id) == missing.end(); });
     std::size_t coming = missing.size() + std::size_t(unwanted);
     std::vector<std::pair<std::uint64_t, std::size_t>> idle; // frame and number
     for (const auto& [number, resident] : residents_)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/parallel_invoke.h>
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
@@ -127,11 +128,17 @@ void write_terrain_sample(const TerrainSampleOptions& options, const std::filesy
     const HeightMap frame = frame_of(options);
     HeightMapWriter writer(frame, path);
     const int together = std::max(1, int(samples_together / std::size_t(frame.columns)));
-    std::vector<float> heights(std::size_t(frame.columns) * std::size_t(std::min(together, frame.rows)));
+    const auto made = [&](int row) {
+        const int count = std::clamp(frame.rows - row, 0, together);
+        std::vector<float> heights(std::size_t(frame.columns) * std::size_t(count));
+        fill_rows(height, frame.columns, row, count, heights.data());
+        return heights;
+    };
+    std::vector<float> heights = made(0), next;
     for (int row = 0; row < frame.rows; row += together) {
         const int count = std::min(together, frame.rows - row);
-        fill_rows(height, frame.columns, row, count, heights.data());
-        writer.write_rows(heights.data(), count);
+        tbb::parallel_invoke([&] { writer.write_rows(heights.data(), count); }, [&] { next = made(row + together); });
+        std::swap(heights, next);
         if (progress)
             progress(double(row + count) / frame.rows);
     }

@@ -24,7 +24,10 @@ class TileCache {
 public:
     /// @param pyramid  has to outlive the cache
     /// @param budget   bytes of tiles that are kept; who holds a tile keeps it in memory all the same
-    TileCache(const TerrainPyramid& pyramid, std::size_t budget, TileParts parts = TileParts::all) : pyramid_(pyramid), budget_(budget), parts_(parts) {}
+    TileCache(const TerrainPyramid& pyramid, std::size_t budget, TileParts parts = TileParts::all)
+        : pyramid_(pyramid), budget_(budget), parts_(parts)
+    {
+    }
 
     /// The tile, read now unless it is here; where another thread reads it, its. @throws Error::Read naming the file and the tile
     SharedTile get(const TileId& id);

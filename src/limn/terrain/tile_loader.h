@@ -41,7 +41,7 @@ private:
     const TerrainPyramid& pyramid_;
     mutable std::mutex lock_;
     std::condition_variable_any changed_;
-    std::vector<TileId> wanted_;  ///< the last one first to be read
+    std::vector<TileId> wanted_; ///< the last one first to be read
     std::vector<TileId> reading_;
     std::vector<Arrival> arrived_;
     std::vector<std::jthread> threads_; ///< last, so that they end before what they use goes
