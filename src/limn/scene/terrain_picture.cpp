@@ -63,8 +63,8 @@ private:
 
 class Painter {
 public:
-    Painter(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
-        : map_(map), camera_(camera), options_(options), terrain_(mesh), rays_(std::array{terrain_.triangles()})
+    Painter(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options, const Image* drape)
+        : map_(map), camera_(camera), options_(options), drape_(drape), terrain_(mesh), rays_(std::array{terrain_.triangles()})
     {
         const Bounds bounds = mesh.bounds();
         low_ = bounds.empty() ? 0 : bounds.low.z, relief_ = bounds.empty() ? 0 : bounds.high.z - low_;
@@ -88,9 +88,16 @@ private:
         if (!hit)
             return options_.background;
         const dvec3 p = ray.origin + double(hit.distance) * ray.direction;
-        return light(terrain_normal(map_, dvec2(p))) * ground(p.z);
+        return light(terrain_normal(map_, dvec2(p))) * ground(p);
     }
-    vec3 ground(double z) const
+    vec3 ground(const dvec3& p) const
+    {
+        if (!drape_)
+            return bare_ground(p.z);
+        const vec4 draped = draped_at(map_, *drape_, dvec2(p));
+        return draped.a < 1 ? glm::mix(bare_ground(p.z), vec3(draped), draped.a) : vec3(draped);
+    }
+    vec3 bare_ground(double z) const
     {
         if (options_.colours == TerrainPictureOptions::Colours::plain)
             return vec3(0.9f);
@@ -106,6 +113,7 @@ private:
     const HeightMap& map_;
     const Camera& camera_;
     const TerrainPictureOptions& options_;
+    const Image* drape_;
     RayTerrain terrain_;
     RayScene rays_;
     double low_ = 0, relief_ = 0;
@@ -146,10 +154,28 @@ dvec3 terrain_normal(const HeightMap& map, const dvec2& place)
     return glm::normalize(glm::mix(north, south, v));
 }
 
-Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
+dvec2 drape_place(const HeightMap& map, const dvec2& place)
+{
+    const dvec2 cell = {place.x / map.spacing.x, double(map.rows - 1) - place.y / map.spacing.y};
+    return (cell + 0.5) / dvec2(map.columns, map.rows);
+}
+
+vec4 draped_at(const HeightMap& map, const Image& drape, const dvec2& place)
+{
+    const dvec2 p = glm::clamp(drape_place(map, place) * dvec2(drape.size()) - 0.5, dvec2(0), dvec2(drape.size() - 1));
+    const ivec2 first(p), last = glm::min(first + 1, drape.size() - 1);
+    const vec2 t(p - dvec2(first));
+    const auto at = [&](int x, int y) {
+        const float* const c = drape.at(x, y);
+        return vec4(c[0], c[1], c[2], c[3]);
+    };
+    return glm::mix(glm::mix(at(first.x, first.y), at(last.x, first.y), t.x), glm::mix(at(first.x, last.y), at(last.x, last.y), t.x), t.y);
+}
+
+Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options, const Image* drape)
 {
     check(options);
-    const Painter painter(map, mesh, camera, options);
+    const Painter painter(map, mesh, camera, options, drape);
     Image image(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t row) {
         for (int x = 0; x < camera.size.x; ++x) {
