@@ -34,6 +34,9 @@ const std::vector<std::string> formats = {"png", "svg", "pdf", "dxf", "ply", "ob
 constexpr const char* examples = R"(Examples:
   limn terrain helens.dem -o helens.png
   limn terrain helens.dem -o helens.png --view -40,25 --exaggerate 1.5 --max-error 0.5px
+  limn terrain helens.dem -o panorama.svg --view 20,15 --exaggerate 1.5
+  limn terrain helens.dem -o map.pdf --view top --scale 1:50000 --page A3 --iso 50m
+  limn terrain helens.dem -o helens.png --show both --iso 100m --drape photo.tif
   limn terrain alps.tif -o alps.glb --max-error 5m
   limn terrain alps.tif -o alps.ply --triangles 100000
   limn terrain alps.tif -o alps.obj --method delaunay --max-error 2m

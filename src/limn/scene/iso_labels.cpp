@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "limn/drawing/lettering.h"
 
@@ -102,6 +101,23 @@ private:
     std::vector<double> places_;
 };
 
+/// Whether a straight piece from a to b touches the box [-half, half] (Liang & Barsky 1984).
+bool crosses_box(const dvec2& a, const dvec2& b, const dvec2& half)
+{
+    double enter = 0, leave = 1;
+    for (int k = 0; k < 2; ++k) {
+        const double d = b[k] - a[k];
+        if (d == 0) {
+            if (std::abs(a[k]) > half[k])
+                return false;
+            continue;
+        }
+        const double s = (-half[k] - a[k]) / d, t = (half[k] - a[k]) / d;
+        enter = std::max(enter, std::min(s, t)), leave = std::min(leave, std::max(s, t));
+    }
+    return enter <= leave;
+}
+
 /// Text in the middle between two points, as upright as it goes.
 Caption caption_between(const dvec2& a, const dvec2& b, double height, const std::string& text)
 {
@@ -114,14 +130,27 @@ Caption caption_between(const dvec2& a, const dvec2& b, double height, const std
 
 } // namespace
 
-bool IsoLabels::is_free(const dvec2& middle, double reach) const
+IsoLabels::IsoLabels(double height, const ivec2& picture, std::span<const Stroke> others) : height_(height), picture_(picture)
 {
+    if (!(height > 0))
+        return;
+    for (const Stroke& stroke : others)
+        for (std::size_t i = stroke.closed ? 0 : 1; stroke.visible && i < stroke.points.size(); ++i)
+            others_.push_back({stroke.points[(i + stroke.points.size() - 1) % stroke.points.size()], stroke.points[i]});
+}
+
+bool IsoLabels::is_free(const dvec2& a, const dvec2& b) const
+{
+    const dvec2 middle = 0.5 * (a + b), along = glm::normalize(b - a), across = {-along.y, along.x};
+    const double reach = 0.5 * glm::distance(a, b);
     if (glm::any(glm::lessThan(middle, dvec2(reach))) || glm::any(glm::greaterThan(middle, dvec2(picture_) - reach)))
         return false;
     for (std::size_t i = 0; i < captions_.size(); ++i)
         if (glm::distance(captions_[i].position, middle) < reach + reaches_[i])
             return false;
-    return true;
+    // In the text's own frame, where its box is [-reach, reach] x [-height, height].
+    const auto own = [&](const dvec2& p) { return dvec2(glm::dot(p - middle, along), glm::dot(p - middle, across)); };
+    return std::none_of(others_.begin(), others_.end(), [&](const Piece& piece) { return crosses_box(own(piece.a), own(piece.b), {reach, height_}); });
 }
 
 std::vector<Stroke> IsoLabels::write(const Stroke& stroke, const std::string& text)
@@ -138,7 +167,7 @@ std::vector<Stroke> IsoLabels::write(const Stroke& stroke, const std::string& te
         const double low = std::max(drawn, arc.length() * (k + 0.1) / labels), high = arc.length() * (k + 0.9) / labels - gap, step = 0.5 * height_;
         double best = -1, least = most_sag * height_;
         for (double from = low; from <= high; from += step)
-            if (const double sag = arc.sag(from, from + gap); sag < least && is_free(0.5 * (arc.at(from) + arc.at(from + gap)), 0.6 * gap))
+            if (const double sag = arc.sag(from, from + gap); sag < least && is_free(arc.at(from), arc.at(from + gap)))
                 best = from, least = sag;
         if (best < 0)
             continue;

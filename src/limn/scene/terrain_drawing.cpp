@@ -76,7 +76,7 @@ std::string height_text(const Stroke& stroke, const TerrainLineOptions& options)
 void add_iso_strokes(Drawing& drawing, const HeightMap& map, const IsoScene& scene, const TerrainLineOptions& options, DrawReport& report)
 {
     std::vector<Stroke> all;
-    IsoLabels labels(options.iso_text, scene.camera.size);
+    IsoLabels labels(options.iso_text, scene.camera.size, drawing.strokes);
     for (const bool heavy : {false, true}) {
         const LineType type = heavy ? LineType::iso_heavy : LineType::iso;
         DrawReport::PerType& counts = report.types[std::size_t(type)];
