@@ -87,3 +87,4 @@ fi
 
 build/limn sample terrain --size 513 --seed 3 --quiet -o "$models/terrain.tif"
 build/limn terrain "$models/terrain.tif" --quiet --size 720x405 -o docs/images/terrain.png
+build/limn terrain "$models/terrain.tif" --quiet --show lines --view 30,18 --iso 50m --size 900x420 -o docs/images/panorama.png

@@ -54,7 +54,8 @@ CommandText describe(const CLI::App& app)
 {
     CommandText text = {app.get_name(), app.get_description(), app.get_footer(), {}, {}};
     for (const CLI::Option* option : app.get_options())
-        text.options.push_back(describe_option(*option));
+        if (!option->get_group().empty()) // those of no group are hidden
+            text.options.push_back(describe_option(*option));
     for (const CLI::App* inner : app.get_parent() ? app.get_subcommands([](const CLI::App*) { return true; }) : std::vector<const CLI::App*>()) {
         text.subcommands.push_back(describe(*inner));
         text.subcommands.back().name = app.get_name() + " " + inner->get_name();

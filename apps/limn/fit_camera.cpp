@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limn/base/parallel.h"
+#include "limn/lines/projector.h"
 
 using namespace limn;
 
@@ -84,5 +85,29 @@ void fit_cameras(std::vector<Camera>& cameras, const LineModel& model, double ma
         if (!camera.orthographic)
             camera.eye = camera.look - distance * camera.forward();
         camera.ortho_height = height;
+    }
+}
+
+void centre_in_picture(Camera& camera, const LineModel& model)
+{
+    constexpr int rounds = 8; // each leaves a small part of what the last one did
+    for (int round = 0; round < rounds; ++round) {
+        const Projector projector(model, camera);
+        const std::vector<dvec4> parts = parallel_collect<dvec4>(model.vertex_count(), 1 << 15, [&](std::size_t begin, std::size_t end, std::vector<dvec4>& out) {
+            dvec4 most(-std::numeric_limits<double>::infinity());
+            for (std::size_t i = begin; i < end; ++i) {
+                const dvec3 p = projector.project(model.positions[i]);
+                most = glm::max(most, dvec4(p.x, -p.x, p.y, -p.y));
+            }
+            out.push_back(most);
+        });
+        dvec4 all(-std::numeric_limits<double>::infinity());
+        for (const dvec4& part : parts)
+            all = glm::max(all, part);
+        const dvec2 off = (dvec2(all.x - all.y, all.z - all.w) - dvec2(camera.size)) / 2.0; // of the box's middle, pixels
+        const double unit = 1 / camera.pixels_per_unit(glm::distance(camera.eye, camera.look));
+        const dvec3 shift = unit * (off.x * camera.right() - off.y * camera.above());
+        camera.eye += shift;
+        camera.look += shift;
     }
 }

@@ -8,10 +8,10 @@
 #include "limn/base/options.h"
 
 /// What stands behind an option's help: "0..180 degrees; default 40".
-template <class Options> std::string describe_range(const limn::OptionRow<Options>& row)
+template <class Options> std::string describe_range(const limn::OptionRow<Options>& row, const Options& usual)
 {
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    const std::string value = row.get(Options());
+    const std::string value = row.get(usual);
     const bool tells = value.size() <= 30; // a list of all types does not
     return row.range + unit + (tells ? "; default " + value : "");
 }
@@ -19,7 +19,7 @@ template <class Options> std::string describe_range(const limn::OptionRow<Option
 /// Adds one row. A yes-or-no row becomes a flag: "--curves" is yes, "--curves=no" is no.
 template <class Options> void add_table_row(CLI::App& app, const limn::OptionRow<Options>& row, Options& options, const std::string& group)
 {
-    const std::string help = row.help + " (" + describe_range(row) + ")";
+    const std::string help = row.help + " (" + describe_range(row, options) + ")";
     auto set = [&options, &row](const std::string& text) { row.set(options, text); };
     if (row.range == "yes|no") {
         auto value = std::make_shared<std::string>();

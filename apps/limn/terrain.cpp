@@ -7,10 +7,12 @@
 
 #include "common.h"
 #include "console.h"
+#include "fit_camera.h"
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
 #include "limn/drawing/png.h"
+#include "limn/drawing/write_drawing.h"
 #include "limn/geometry/write_mesh.h"
 #include "limn/lines/line_model.h"
 #include "limn/scene/terrain_picture.h"
@@ -19,6 +21,8 @@
 #include "limn/terrain/terrain_pyramid.h"
 #include "subcommand.h"
 #include "table_options.h"
+#include "terrain_drape.h"
+#include "terrain_lines.h"
 #include "terrain_output.h"
 #include "terrain_pyramid.h"
 #include "terrain_smooth.h"
@@ -28,12 +32,14 @@ using namespace limn;
 
 namespace {
 
-const std::vector<std::string> formats = {"png", "ply", "obj", "stl", "glb"};
-constexpr const char* usual_view = "20,35"; // oblique, from the south
+const std::vector<std::string> formats = {"png", "svg", "pdf", "dxf", "ply", "obj", "stl", "glb"};
 
 constexpr const char* examples = R"(Examples:
   limn terrain helens.dem -o helens.png
   limn terrain helens.dem -o helens.png --view -40,25 --exaggerate 1.5 --max-error 0.5px
+  limn terrain helens.dem -o panorama.svg --view 20,15 --exaggerate 1.5
+  limn terrain helens.dem -o map.pdf --view top --scale 1:50000 --page A3 --iso 50m
+  limn terrain helens.dem -o helens.png --show both --iso 100m --drape photo.tif
   limn terrain alps.tif -o alps.glb --max-error 5m
   limn terrain alps.tif -o alps.ply --triangles 100000
   limn terrain alps.tif -o alps.obj --method delaunay --max-error 2m
@@ -52,26 +58,43 @@ struct TerrainCommand {
     TerrainBuildOptions build;
     TerrainPictureOptions picture;
     TerrainSmooth smooth;
+    TerrainLines lines;
+    std::string drape; ///< an image's file, or ""
     bool error_report = false, double_positions = false;
     double base = 0;       ///< mm where a print size is given, else metres; 0: none
     double print_size = 0; ///< mm; 0: metres as they are
 };
 
+/// What is made of a terrain: each kind from a mesh of its own.
+enum class Kind { shaded, drawing, mesh };
+
 /// What was made for one kind of output.
 struct Made {
     BuiltTerrain terrain;
     std::vector<std::string> paths;
+    std::string drawn = {}; ///< "128 strokes", of drawings
+    std::optional<TerrainMove> smoothed = {}; ///< how far from the map the samples are that the mesh was held against
 };
 
-bool is_picture(const Output& output) { return output.format == "png"; }
+bool is_picture(const Output& output) { return output.format == "png" || is_line_format(output.format); }
+
+bool can_be_draped(const TerrainLines& lines, const Output& output) { return is_picture(output) ? has_shading(lines, output) : output.format != "stl"; }
+
+Kind kind_of(const TerrainLines& lines, const Output& output) { return !is_picture(output) ? Kind::mesh : has_lines(lines, output) ? Kind::drawing : Kind::shaded; }
 
 void check(const TerrainCommand& command, const std::vector<Output>& outputs)
 {
     check_view_options(command.view);
+    if (!command.view.up_axis.empty())
+        throw Error::Input("--up-axis: heights of a map point up along z; leave it out");
     if (outputs.empty() && !command.common.json && !command.error_report)
-        throw Error::Input("nothing to do: give -o FILE (png, ply, obj, stl, glb), --error-report or --json");
+        throw Error::Input("nothing to do: give -o FILE (png, svg, pdf, dxf, ply, obj, stl, glb), --error-report or --json");
     if (command.view.views.size() > 1)
         throw Error::Input("--view: a terrain is seen from one side at a time");
+    if (!command.drape.empty() && !outputs.empty() && std::none_of(outputs.begin(), outputs.end(), [&](const Output& output) { return can_be_draped(command.lines, output); }))
+        throw Error::Input("--drape is for shaded pictures and for meshes in glb, ply and obj");
+    if (!command.drape.empty() && command.base > 0)
+        throw Error::Input("--drape: a solid with walls and a floor cannot be draped; leave --base out");
     if (command.base > 0 && std::all_of(outputs.begin(), outputs.end(), is_picture))
         throw Error::Input("--base is for meshes; give -o FILE.stl");
     if (command.print_size > 0 && std::all_of(outputs.begin(), outputs.end(), is_picture))
@@ -79,16 +102,19 @@ void check(const TerrainCommand& command, const std::vector<Output>& outputs)
     check_cpu_only(command.common, "terrain");
 }
 
-Camera place_camera(const TerrainCommand& command, const HeightMap& map)
+Sheet place_camera(const TerrainCommand& command, const HeightMap& map)
 {
     ViewOptions view = command.view;
     if (view.views.empty() && view.eye.empty())
-        view.views = {usual_view};
+        view.views = {view.usual_view};
     TerrainBuildOptions coarse;
     coarse.exaggerate = command.build.exaggerate;
     const Mesh mesh = build_terrain(map, coarse).mesh;
     const LineModel model = places_of(mesh);
-    return place_cameras(view, {model, mesh.bounds()}, 'z').cameras.front();
+    Sheet sheet = place_cameras(view, {model, mesh.bounds()}, 'z');
+    if (!view.views.empty() && view.camera_file.empty() && !sheet.cameras.front().orthographic)
+        centre_in_picture(sheet.cameras.front(), model);
+    return sheet;
 }
 
 /// A warning where the eye is under the ground.
@@ -103,18 +129,29 @@ std::optional<std::string> eye_fault(const HeightMap& map, const Camera& camera)
     return fmt::format("the eye is {:.6g} m under the ground", ground - camera.eye.z);
 }
 
-/// "1,234 triangles, at most 0.98 m off at 263,169 samples (1 m asked)".
-std::string what_was_built(const BuiltTerrain& terrain, const std::string& measured_at)
+std::size_t missing_samples(const HeightMap& map)
 {
+    return std::size_t(std::count_if(map.heights.begin(), map.heights.end(), [](float h) { return std::isnan(h); }));
+}
+
+/// "1,234 triangles, at most 0.98 m off at 263,169 samples (1 m asked)".
+std::string what_was_built(const Made& made, const std::string& measured_at)
+{
+    const BuiltTerrain& terrain = made.terrain;
     const std::string unit = unit_of(terrain.asked);
-    return fmt::format("{}, at most {:.4g} {} off at {} ({:.4g} {} asked)", counted(terrain.mesh.triangles.size(), "triangle"), terrain.measured.maximum, unit,
-                       counted(terrain.measured.samples, measured_at), terrain.asked.value, unit);
+    const std::string smoothed = made.smoothed ? fmt::format(" smoothed by up to {:.3g} m", made.smoothed->maximum) : "";
+    return fmt::format("{}{}, at most {:.4g} {} off at {}{} ({:.4g} {} asked)", made.drawn.empty() ? "" : made.drawn + ", ", counted(terrain.mesh.triangles.size(), "triangle"),
+                       terrain.measured.maximum, unit, counted(terrain.measured.samples, measured_at), smoothed, terrain.asked.value, unit);
 }
 
 nlohmann::ordered_json mesh_json(const Made& made)
 {
     const MeasuredTerrain& m = made.terrain.measured;
+    nlohmann::ordered_json smoothed;
+    if (made.smoothed)
+        smoothed = {{"maximum", made.smoothed->maximum}, {"rms", made.smoothed->rms}};
     return {{"outputs", made.paths},
+            {"smoothed", smoothed},
             {"vertices", made.terrain.mesh.positions.size()},
             {"triangles", made.terrain.mesh.triangles.size()},
             {"error",
@@ -135,6 +172,7 @@ std::string report(const TerrainCommand& command, const ReadHeightMapResult& rea
     for (const OptionRow<TerrainPictureOptions>& row : terrain_picture_option_table())
         options[row.name] = row.get(command.picture);
     options.update(terrain_smooth_json(command.smooth));
+    options.update(terrain_lines_json(command.lines));
     json["options"] = options;
     if (camera)
         json["camera"] = nlohmann::ordered_json::parse(camera_to_json(*camera));
@@ -151,26 +189,33 @@ class Maker {
 public:
     Maker(const TerrainCommand& command, const HeightMap& map, const std::vector<Output>& outputs) : command_(command), map_(map), outputs_(outputs), options_(command.build)
     {
+        if (!command.drape.empty())
+            drape_ = read_drape(command.drape, map, command.file, command.read);
         if (!command.max_error.empty())
             options_.bound = parse_terrain_bound(command.max_error);
         const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
-        if (pictures || (options_.bound && options_.bound->in_pixels) || smoothing_needs_camera(command.smooth))
-            camera_ = place_camera(command, map);
+        if (pictures || (options_.bound && options_.bound->in_pixels) || smoothing_needs_camera(command.smooth)) {
+            const Sheet sheet = place_camera(command, map);
+            camera_ = sheet.cameras.front();
+            mm_per_pixel_ = sheet.mm_per_pixel;
+        }
     }
     const std::optional<Camera>& camera() const { return camera_; }
+    const std::optional<Drape>& drape() const { return drape_; }
     /// What make() did besides.
     const std::vector<std::string>& notes() const { return notes_; }
     std::vector<Made> make()
     {
         std::vector<Made> all;
-        for (const bool pictures : {true, false}) {
+        for (const Kind kind : {Kind::shaded, Kind::drawing, Kind::mesh}) {
             std::vector<Output> mine;
-            std::copy_if(outputs_.begin(), outputs_.end(), std::back_inserter(mine), [&](const Output& output) { return is_picture(output) == pictures; });
-            if (mine.empty() && (pictures || !outputs_.empty()))
+            std::copy_if(outputs_.begin(), outputs_.end(), std::back_inserter(mine), [&](const Output& output) { return kind_of(command_.lines, output) == kind; });
+            if (mine.empty() && (kind != Kind::mesh || !outputs_.empty()))
                 continue; // without outputs, the mesh is measured all the same
-            if (all.empty() || !options_.bound)
-                all.push_back({built(pictures), {}});
-            write(all.back().terrain.mesh, mine);
+            if (kind == Kind::drawing)
+                all.push_back(drawn(mine));
+            else
+                make_of_samples(kind, mine, all);
             for (const Output& output : mine)
                 all.back().paths.push_back(output.path);
         }
@@ -178,21 +223,59 @@ public:
     }
 
 private:
-    BuiltTerrain built(bool for_picture)
+    /// Shaded pictures and meshes share one mesh where their bound is the same.
+    void make_of_samples(Kind kind, const std::vector<Output>& outputs, std::vector<Made>& all)
+    {
+        if (all.empty() || !options_.bound || !all.back().drawn.empty())
+            all.push_back({build_smooth_terrain(command_.smooth, map_, options_of(kind), camera_, notes_), {}});
+        const Mesh& mesh = all.back().terrain.mesh;
+        for (const Output& output : outputs) {
+            if (kind == Kind::shaded)
+                write_file(output.path, encode_png(shaded(mesh), {}));
+            else
+                write(mesh, output);
+        }
+    }
+    Made drawn(const std::vector<Output>& outputs) const
+    {
+        const TerrainLineOptions lines = lines_for(command_.lines, *camera_, options_.exaggerate);
+        const HeightMap map = generalised_for(map_, *camera_, lines);
+        TerrainBuildOptions options = options_of(Kind::drawing);
+        if (options.max_edge == 0 && options.method == TerrainMethod::strict && options.triangles == 0)
+            options.max_edge = drawn_edge(map, *camera_, lines);
+        Made made = {build_terrain(map, options, camera_), {}};
+        DrawReport report;
+        Drawing drawing = draw_terrain(map, made.terrain.mesh, *camera_, lines, &report);
+        drawing.mm_per_pixel = mm_per_pixel_;
+        made.drawn = what_was_drawn(report);
+        if (map.heights != map_.heights) // never the same where something has no data, and then they moved by 0
+            made.smoothed = how_moved(map_, map);
+        if (std::any_of(outputs.begin(), outputs.end(), [&](const Output& output) { return has_shading(command_.lines, output); }))
+            drawing.background = shaded(made.terrain.mesh);
+        for (const Output& output : outputs)
+            write_drawing(drawing, command_.lines.style, output.path, output.format);
+        return made;
+    }
+    Image shaded(const Mesh& mesh) const
+    {
+        GroundColour colour;
+        if (drape_)
+            colour = [&](const dvec3& place) { return draped_at(map_, drape_->colours, dvec2(place)); };
+        return paint_terrain(ground_normal(command_.smooth, map_), mesh, *camera_, command_.picture, colour);
+    }
+    void write(Mesh mesh, const Output& output) const
+    {
+        WriteMeshOptions options = {.format = output.format, .double_positions = command_.double_positions};
+        if (drape_)
+            drape_mesh(mesh, map_, *drape_, options);
+        write_mesh(for_file(std::move(mesh), command_.print_size, command_.base), output.path, options);
+    }
+    TerrainBuildOptions options_of(Kind kind) const
     {
         TerrainBuildOptions options = options_;
-        if (for_picture && !options.bound && options.triangles == 0 && options.method != TerrainMethod::delaunay)
-            options.bound = TerrainBound{1, true};
-        return build_smooth_terrain(command_.smooth, map_, options, camera_, notes_);
-    }
-    void write(const Mesh& mesh, const std::vector<Output>& outputs) const
-    {
-        for (const Output& output : outputs) {
-            if (is_picture(output))
-                write_file(output.path, encode_png(paint_terrain(ground_normal(command_.smooth, map_), mesh, *camera_, command_.picture), {}));
-            else
-                write_mesh(for_file(mesh, command_.print_size, command_.base), output.path, {.format = output.format, .double_positions = command_.double_positions});
-        }
+        if (kind != Kind::mesh && !options.bound && options.triangles == 0 && options.method != TerrainMethod::delaunay)
+            options.bound = kind == Kind::shaded ? TerrainBound{1, true} : usual_bound(*camera_);
+        return options;
     }
     const TerrainCommand& command_;
     const HeightMap& map_;
@@ -200,6 +283,8 @@ private:
     TerrainBuildOptions options_;
     std::optional<Camera> camera_;
     std::vector<std::string> notes_;
+    double mm_per_pixel_ = 0; ///< Sheet::mm_per_pixel
+    std::optional<Drape> drape_;
 };
 
 void run(const CLI::App& app, TerrainCommand& command)
@@ -222,6 +307,8 @@ void run(const CLI::App& app, TerrainCommand& command)
     console.progress("refining", 0.3);
     Maker maker(command, read.map, outputs);
     Warnings warnings;
+    if (const std::size_t missing = missing_samples(read.map); missing > 0)
+        warnings.add(command.file, {counted(missing, "sample") + " without data (--fill closes holes)"});
     if (maker.camera())
         if (const std::optional<std::string> fault = eye_fault(read.map, *maker.camera()))
             warnings.add(command.file, {*fault});
@@ -234,10 +321,12 @@ void run(const CLI::App& app, TerrainCommand& command)
     if (!warnings.empty())
         console.warn(warnings.line());
     std::vector<std::string> built;
-    std::transform(all.begin(), all.end(), std::back_inserter(built), [&](const Made& made) { return what_was_built(made.terrain, measured_thing(command.smooth)); });
+    std::transform(all.begin(), all.end(), std::back_inserter(built), [&](const Made& made) { return what_was_built(made, measured_thing(command.smooth)); });
     if (command.error_report && !command.common.json)
         for (const Made& made : all)
             write_file("-", error_lines(made.terrain));
+    if (maker.drape())
+        read.notes.push_back(maker.drape()->note);
     const std::string notes = read.notes.empty() ? "" : "; " + join(read.notes, "; ");
     const std::string written = command.common.outputs.empty() ? "measured " + command.file : what_was_written(command.common.outputs);
     console.finish(fmt::format("{}: {}{}, {}", written, join(built, "; "), notes, seconds_text(watch.total())));
@@ -249,6 +338,7 @@ Subcommand add_terrain(CLI::App& limn)
 {
     auto command = std::make_shared<TerrainCommand>();
     command->view.unit = "m";
+    command->view.usual_view = "20,35"; // oblique, from the south
     CLI::App* app = limn.add_subcommand("terrain", "Make meshes and pictures of a height map, with a bound on their error");
     app->footer(examples);
     app->add_option("DEM", command->file, "height map to read: GeoTIFF, USGS DEM, SRTM, ASCII grid, PNG and more, or a pyramid of 'limn terrain build'; '-' is standard input");
@@ -267,8 +357,11 @@ Subcommand add_terrain(CLI::App& limn)
     app->add_option("--print-size", command->print_size, "scale the mesh so that its longer side has so many mm")->type_name("MM")->check(CLI::Range(0.0, 1e6))->group("Print");
     add_terrain_smooth_options(*app, command->smooth);
     add_table_options(*app, terrain_picture_option_table(), command->picture, "Picture");
+    add_drape_option(*app, command->drape);
+    add_terrain_line_options(*app, command->lines);
     add_view_options(*app, command->view);
-    add_common_options(*app, command->common, "file to write; may be given several times: png, ply, obj, stl, glb; '-' is standard output");
+    app->get_option("--up-axis")->group(""); // not in the help: it is refused
+    add_common_options(*app, command->common, "file to write; may be given several times: png, svg, pdf, dxf, ply, obj, stl, glb; '-' is standard output");
     const Subcommand build = add_terrain_build(*app);
     return {app, [app, command, build] {
                 if (build.app->parsed())

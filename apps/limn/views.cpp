@@ -207,7 +207,7 @@ void add_view_options(CLI::App& app, ViewOptions& options)
     };
     text("--size", options.size, "WxH", "pixels of the picture, or of the whole sheet (default 1600x1200)");
     app.add_option("--view", options.views,
-                   "front|back|left|right|top|bottom|iso or AZ,EL in degrees (default iso = 45,35.264); several make one sheet")
+                   fmt::format("front|back|left|right|top|bottom|iso or AZ,EL in degrees (default {}); several make one sheet", options.usual_view))
         ->type_name("VIEW")
         ->expected(1)
         ->take_all()
@@ -218,7 +218,7 @@ void add_view_options(CLI::App& app, ViewOptions& options)
     app.add_option("--fov", options.fov_degrees, "vertical opening angle of the camera (default 30)")->type_name("DEGREES")->group(group);
     app.add_flag("--ortho", options.orthographic, "parallel projection")->group(group);
     text("--scale", options.scale, "1:N", "parallel projection at this scale on paper");
-    text("--unit", options.unit, "UNIT", "mm|cm|m|in|ft: what 1 in the model means; for --scale (default mm)");
+    text("--unit", options.unit, "UNIT", fmt::format("mm|cm|m|in|ft: what 1 in the model means; for --scale (default {})", options.unit).c_str());
     text("--camera", options.camera_file, "FILE", "a camera as it stands in a report of --json");
     text("--up-axis", options.up_axis, "AXIS", "y|z: the axis of the model that points up (default z for STL and 3MF, y otherwise)");
 }

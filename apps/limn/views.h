@@ -13,6 +13,7 @@
 struct ViewOptions {
     std::string size;               ///< WxH; "" takes 1600x1200
     std::vector<std::string> views; ///< names or AZ,EL
+    std::string usual_view = "iso = 45,35.264"; ///< where none is given; for the help, and where a command takes another one
     std::string eye, look, up;      ///< x,y,z or ""
     double fov_degrees = 30;
     bool orthographic = false;

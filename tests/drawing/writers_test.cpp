@@ -177,7 +177,7 @@ TEST(PlyLines, HoldsEverySegmentWithItsTypeAndInk)
     }
     EXPECT_NE(ply.find(fmt::format("element vertex {}\n", vertices)), std::string::npos);
     EXPECT_NE(ply.find(fmt::format("element edge {}\n", edges)), std::string::npos);
-    EXPECT_NE(ply.find("8=contour"), std::string::npos);
+    EXPECT_NE(ply.find("10=contour"), std::string::npos);
     ASSERT_EQ(ply.size(), body + vertices * 28 + edges * 14);
     std::size_t vertex = 0, edge = 0;
     for (const Stroke& stroke : drawing.strokes) {

@@ -9,7 +9,7 @@ inline LineOptions every_line()
 {
     LineOptions options;
     options.lines.clear();
-    for (int i = 0; i < line_type_count; ++i)
+    for (int i = int(LineType::highlight); i < line_type_count; ++i)
         options.lines.push_back(LineType(i));
     return options;
 }

@@ -65,6 +65,29 @@ TEST(TerrainPicture, ShowsTheBackgroundThroughHolesOnly)
             EXPECT_NE(whole.at(x, y)[1], 0.0f);
 }
 
+/// A drape of four fields: each shows in its own quarter, and the ground's colour where it is transparent.
+TEST(TerrainPicture, ShowsADrapeWhereItIsNotTransparent)
+{
+    const HeightMap map = plane(0, 0);
+    Image drape(ivec2(2, 2), 4, 1.0f);
+    const vec4 fields[] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 0, 1, 0}};
+    for (int i = 0; i < 4; ++i)
+        std::copy(&fields[i].x, &fields[i].x + 4, drape.at(i % 2, i / 2));
+    EXPECT_LT(glm::distance(draped_at(map, drape, {0, 580}), fields[0]), 1e-6f) << "north-west";
+    EXPECT_LT(glm::distance(draped_at(map, drape, {390, 580}), fields[1]), 1e-6f) << "north-east";
+    EXPECT_LT(glm::distance(draped_at(map, drape, {0, 0}), fields[2]), 1e-6f) << "south-west";
+    EXPECT_LT(glm::distance(drape_place(map, {-5, 590}), dvec2(0)), 1e-12) << "half a cell outside of the first sample";
+    const TerrainPictureOptions options = {.colours = TerrainPictureOptions::Colours::plain, .samples = 1};
+    const Mesh mesh = terrain_mesh_within(map, 0);
+    const Image bare = paint_terrain(map, mesh, from_above(map), options), draped = paint_terrain(map, mesh, from_above(map), options, &drape);
+    const auto pixel = [](const Image& image, int x, int y) { return vec3(image.at(x, y)[0], image.at(x, y)[1], image.at(x, y)[2]); };
+    EXPECT_GT(pixel(draped, 16, 10).r, 0.9f);
+    EXPECT_LT(pixel(draped, 16, 10).g, 0.1f);
+    EXPECT_GT(pixel(draped, 46, 10).g, 0.9f);
+    EXPECT_GT(pixel(draped, 16, 54).b, 0.9f);
+    EXPECT_LT(glm::distance(pixel(draped, 46, 54), pixel(bare, 46, 54)), 1e-6f);
+}
+
 TEST(TerrainPicture, IsTheSameForAnyNumberOfThreads)
 {
     const HeightMap map = plane(0.2, 0.1);

@@ -7,7 +7,7 @@
 namespace limn {
 namespace {
 
-constexpr std::string_view names[line_type_count] = {"highlight", "valley", "ridge", "apparent", "suggestive",
+constexpr std::string_view names[line_type_count] = {"iso", "iso-heavy", "highlight", "valley", "ridge", "apparent", "suggestive",
                                                      "crease", "border", "mesh-contour", "contour", "outline"};
 
 } // namespace

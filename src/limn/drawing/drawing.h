@@ -10,9 +10,10 @@
 
 namespace limn {
 
-/// The kinds of line Limn draws. The order is the drawing order: later kinds lie on top.
-enum class LineType : std::uint8_t { highlight, valley, ridge, apparent, suggestive, crease, border, mesh_contour, contour, outline };
-inline constexpr int line_type_count = 10;
+/// The kinds of line Limn draws. The order is the drawing order: later kinds lie on top. Iso lines are of heights on a map (heavy: every so
+/// many of them); draw_lines() finds all others.
+enum class LineType : std::uint8_t { iso, iso_heavy, highlight, valley, ridge, apparent, suggestive, crease, border, mesh_contour, contour, outline };
+inline constexpr int line_type_count = 12;
 
 /// The name of a type as on the command line ("mesh-contour").
 std::string_view line_type_name(LineType type);
@@ -43,6 +44,7 @@ struct Caption {
     dvec2 position;  ///< pixels
     double height;   ///< of capital letters, pixels
     std::string text;
+    double angle = 0; ///< radians, counter-clockwise on paper, that its base line is turned about the point
 };
 
 /// A line drawing: what every writer takes.
@@ -51,7 +53,7 @@ struct Drawing {
     std::vector<Region> regions; ///< bottom first
     std::vector<Stroke> strokes; ///< sorted by type, then as found
     Image background;            ///< RGB, camera.size, or empty
-    std::vector<Caption> captions; ///< of a sheet
+    std::vector<Caption> captions; ///< of a sheet, and heights of iso lines
     double mm_per_pixel = 0;     ///< true scale on paper (--scale 1:N); 0: the page decides
 };
 

@@ -14,7 +14,7 @@ namespace limn {
 namespace {
 
 /// AutoCAD colour indices in the order of LineType; 7 is black on white and white on black.
-constexpr std::array<int, line_type_count> colours = {40, 6, 3, 4, 1, 34, 8, 5, 7, 7};
+constexpr std::array<int, line_type_count> colours = {32, 34, 40, 6, 3, 4, 1, 34, 8, 5, 7, 7};
 
 std::string layer_name(LineType type, bool visible)
 {
@@ -145,6 +145,8 @@ void add_caption(Groups& dxf, const Caption& caption, const PageLayout& page)
     dxf.point(place);
     dxf.add(40, page.mm_per_unit * page.scale * caption.height);
     dxf.add(1, caption.text);
+    if (caption.angle != 0)
+        dxf.add(50, glm::degrees(caption.angle));
     dxf.add(72, 1); // centred about the second point
     dxf.add(11, place.x);
     dxf.add(21, place.y);

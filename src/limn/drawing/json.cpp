@@ -69,6 +69,8 @@ void add_caption(std::string& json, const Caption& caption)
 {
     fmt::format_to(std::back_inserter(json), "{{\"text\":{},\"height\":{},\"position\":", text_literal(caption.text), caption.height);
     add_pixel(json, caption.position);
+    if (caption.angle != 0)
+        fmt::format_to(std::back_inserter(json), ",\"angle\":{}", caption.angle);
     json += '}';
 }
 

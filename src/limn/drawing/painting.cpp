@@ -1,6 +1,7 @@
 #include "limn/drawing/painting.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 namespace limn {
 namespace {
 
-constexpr std::string_view labels[line_type_count] = {"Suggestive highlights", "Valleys", "Ridges", "Apparent ridges", "Suggestive contours",
+constexpr std::string_view labels[line_type_count] = {"Iso lines", "Heavy iso lines", "Suggestive highlights", "Valleys", "Ridges", "Apparent ridges", "Suggestive contours",
                                                       "Creases", "Borders", "Mesh contours", "Contours", "Outline"};
 
 /// Layers of filled areas: regions that follow each other with one name and colour share a layer.
@@ -83,9 +84,10 @@ Layer caption_layer(const Drawing& drawing, const PageLayout& page)
     layer.label = "Captions";
     for (const Caption& caption : drawing.captions) {
         layer.width = std::max(layer.width, 0.1 * page.scale * caption.height);
+        const double cosine = std::cos(caption.angle), sine = std::sin(caption.angle);
         for (std::vector<dvec2>& line : letter(caption.text)) {
             for (dvec2& p : line)
-                p = page.on_page(caption.position + caption.height * p);
+                p = page.on_page(caption.position + caption.height * dvec2(cosine * p.x + sine * p.y, cosine * p.y - sine * p.x)); // y is down
             Path path = {line[0], straight_spans(line, false)};
             layer.marks.push_back({{std::move(path)}});
         }

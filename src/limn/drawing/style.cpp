@@ -11,12 +11,12 @@ namespace {
 
 using Colours = std::array<std::uint32_t, line_type_count>; ///< 0xRRGGBB in the order of LineType
 
-//                               highlight valley    ridge     apparent  suggest.  crease    border    mesh      contour   outline
-constexpr Colours plain_colours = {0xb4b4b4, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000};
-constexpr Colours type_colours = {0xe0a21b, 0x7a3e9d, 0x2e8b3d, 0x0f8b8d, 0xc8352b, 0x6b4a2f, 0x4d5a66, 0x24478f, 0x1d3f94, 0x000000};
-constexpr Colours dark_colours = {0xffffff, 0x000000, 0xf0f0f0, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000};
+//                               iso       heavy     highlight valley    ridge     apparent  suggest.  crease    border    mesh      contour   outline
+constexpr Colours plain_colours = {0xa0683c, 0x8a5024, 0xb4b4b4, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000};
+constexpr Colours type_colours = {0xb06a3b, 0x9a5528, 0xe0a21b, 0x7a3e9d, 0x2e8b3d, 0x0f8b8d, 0xc8352b, 0x6b4a2f, 0x4d5a66, 0x24478f, 0x1d3f94, 0x000000};
+constexpr Colours dark_colours = {0x8c8c8c, 0xa0a0a0, 0xffffff, 0x000000, 0xf0f0f0, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000, 0x000000};
 
-constexpr double default_widths[line_type_count] = {0.35, 0.30, 0.30, 0.35, 0.35, 0.40, 0.40, 0.50, 0.50, 0.70};
+constexpr double default_widths[line_type_count] = {0.13, 0.25, 0.35, 0.30, 0.30, 0.35, 0.35, 0.40, 0.40, 0.50, 0.50, 0.70};
 
 vec3 colour_of(std::uint32_t rgb)
 {

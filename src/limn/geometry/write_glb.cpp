@@ -74,20 +74,32 @@ json position_accessor(const std::vector<vec3>& positions)
     return {{"componentType", type_float}, {"type", "VEC3"}, {"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}};
 }
 
-/// A material whose normals come from a PNG file within the binary chunk.
-void add_normal_texture(Chunks& chunks, const std::string& png)
+/// Adds a PNG file as a texture. @return its number
+std::size_t add_texture(Chunks& chunks, const std::string& png)
 {
-    constexpr int linear = 9729, linear_mipmap_linear = 9987, clamp_to_edge = 33071; // glTF 2.0, section 5.26
     const std::size_t offset = chunks.binary.size();
     if (offset + png.size() > std::numeric_limits<std::uint32_t>::max() - 65536)
-        throw Error::Input("the mesh and its normal map are too large for a glTF binary file, which holds 4 GiB at most");
+        throw Error::Input("the mesh and its textures are too large for a glTF binary file, which holds 4 GiB at most");
     chunks.binary += png;
     chunks.binary.resize((chunks.binary.size() + 3) / 4 * 4, '\0');
     chunks.document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", png.size()}});
-    chunks.document["images"] = {{{"bufferView", chunks.document["bufferViews"].size() - 1}, {"mimeType", "image/png"}}};
+    chunks.document["images"].push_back({{"bufferView", chunks.document["bufferViews"].size() - 1}, {"mimeType", "image/png"}});
+    chunks.document["textures"].push_back({{"source", chunks.document["images"].size() - 1}, {"sampler", 0}});
+    return chunks.document["textures"].size() - 1;
+}
+
+/// A material whose normals or colours come from PNG files within the binary chunk.
+void add_material(Chunks& chunks, const WriteMeshOptions& options)
+{
+    constexpr int linear = 9729, linear_mipmap_linear = 9987, clamp_to_edge = 33071; // glTF 2.0, section 5.26
+    json surface = {{"metallicFactor", 0}, {"roughnessFactor", options.colour_texture.empty() ? 0.5 : 1.0}}, material;
+    if (!options.normal_texture.empty())
+        material["normalTexture"] = {{"index", add_texture(chunks, options.normal_texture)}};
+    if (!options.colour_texture.empty())
+        surface["baseColorTexture"] = {{"index", add_texture(chunks, options.colour_texture)}};
+    material["pbrMetallicRoughness"] = surface;
     chunks.document["samplers"] = {{{"magFilter", linear}, {"minFilter", linear_mipmap_linear}, {"wrapS", clamp_to_edge}, {"wrapT", clamp_to_edge}}};
-    chunks.document["textures"] = {{{"source", 0}, {"sampler", 0}}};
-    chunks.document["materials"] = {{{"normalTexture", {{"index", 0}}}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.5}}}}};
+    chunks.document["materials"].push_back(material);
     chunks.document["meshes"][0]["primitives"][0]["material"] = 0;
 }
 
@@ -125,8 +137,8 @@ std::string glb_bytes(const Mesh& mesh, const WriteMeshOptions& options)
     const std::size_t indices = chunks.add(split.corner.size(), 4, {{"componentType", type_uint}, {"type", "SCALAR"}}, target_indices,
                                            [&](char* at, std::size_t i) { put(at, split.corner[i]); });
     chunks.document["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"mode", 4}}}}}};
-    if (!options.normal_texture.empty())
-        add_normal_texture(chunks, options.normal_texture);
+    if (!options.normal_texture.empty() || !options.colour_texture.empty())
+        add_material(chunks, options);
     chunks.document["asset"] = {{"version", "2.0"}, {"generator", "Limn"}};
     chunks.document["buffers"] = {{{"byteLength", chunks.binary.size()}}};
     chunks.document["nodes"] = {{{"mesh", 0}}};

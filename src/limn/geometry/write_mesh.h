@@ -12,6 +12,7 @@ struct WriteMeshOptions {
     bool double_positions = false; ///< PLY: write double instead of float properties; OBJ always keeps 17 digits when set
     bool normals = true;          ///< write corner normals where the mesh has them and the format can
     std::string normal_texture = {}; ///< glTF: a PNG file's bytes, a tangent-space normal map for the mesh's texture coordinates; "": none
+    std::string colour_texture = {}; ///< glTF: a PNG file's bytes, colours for the same coordinates; "": none
 };
 
 /// Writes OBJ, PLY (binary little endian), STL (binary) or glTF binary (.glb). "-" writes to standard output.

@@ -30,7 +30,10 @@ std::vector<LineType> lines_of_word(std::string_view word)
     for (const Preset& preset : presets())
         if (preset.name == word)
             return preset.lines;
-    return {line_type_from_name(word)};
+    const LineType type = line_type_from_name(word);
+    if (type == LineType::iso || type == LineType::iso_heavy)
+        throw Error::Input("--lines: iso lines are of heights; 'limn terrain --iso STEP' draws them");
+    return {type};
 }
 
 /// In the order of LineType, each once.
@@ -71,8 +74,8 @@ std::string lines_range()
     std::string range;
     for (const Preset& preset : presets())
         range += fmt::format("{}|", preset.name);
-    for (int t = line_type_count - 1; t >= 0; --t)
-        range += fmt::format("{}{}", line_type_name(LineType(t)), t > 0 ? "," : "");
+    for (int t = line_type_count - 1; t >= int(LineType::highlight); --t)
+        range += fmt::format("{}{}", line_type_name(LineType(t)), t > int(LineType::highlight) ? "," : "");
     return range;
 }
 

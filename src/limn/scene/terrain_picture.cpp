@@ -59,8 +59,8 @@ private:
 
 class Painter {
 public:
-    Painter(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
-        : normal_(normal), camera_(camera), options_(options), terrain_(mesh), rays_(std::array{terrain_.triangles()})
+    Painter(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options, const GroundColour& colour)
+        : normal_(normal), camera_(camera), options_(options), drape_(colour), terrain_(mesh), rays_(std::array{terrain_.triangles()})
     {
         const Bounds bounds = mesh.bounds();
         low_ = bounds.empty() ? 0 : bounds.low.z, relief_ = bounds.empty() ? 0 : bounds.high.z - low_;
@@ -84,9 +84,16 @@ private:
         if (!hit)
             return options_.background;
         const dvec3 p = ray.origin + double(hit.distance) * ray.direction;
-        return light(normal_(p)) * ground(p.z);
+        return light(normal_(p)) * ground(p);
     }
-    vec3 ground(double z) const
+    vec3 ground(const dvec3& p) const
+    {
+        if (!drape_)
+            return bare_ground(p.z);
+        const vec4 draped = drape_(p);
+        return draped.a < 1 ? glm::mix(bare_ground(p.z), vec3(draped), draped.a) : vec3(draped);
+    }
+    vec3 bare_ground(double z) const
     {
         if (options_.colours == TerrainPictureOptions::Colours::plain)
             return vec3(0.9f);
@@ -102,6 +109,7 @@ private:
     const GroundNormal& normal_;
     const Camera& camera_;
     const TerrainPictureOptions& options_;
+    const GroundColour& drape_;
     RayTerrain terrain_;
     RayScene rays_;
     double low_ = 0, relief_ = 0;
@@ -142,20 +150,41 @@ dvec3 terrain_normal(const HeightMap& map, const dvec2& place)
     return glm::normalize(glm::mix(north, south, v));
 }
 
-Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
+dvec2 drape_place(const HeightMap& map, const dvec2& place)
 {
-    return paint_terrain([&](const dvec3& place) { return terrain_normal(map, dvec2(place)); }, mesh, camera, options);
+    const dvec2 cell = {place.x / map.spacing.x, double(map.rows - 1) - place.y / map.spacing.y};
+    return (cell + 0.5) / dvec2(map.columns, map.rows);
 }
 
-Image paint_terrain(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
+vec4 draped_at(const HeightMap& map, const Image& drape, const dvec2& place)
+{
+    const dvec2 p = glm::clamp(drape_place(map, place) * dvec2(drape.size()) - 0.5, dvec2(0), dvec2(drape.size() - 1));
+    const ivec2 first(p), last = glm::min(first + 1, drape.size() - 1);
+    const vec2 t(p - dvec2(first));
+    const auto at = [&](int x, int y) {
+        const float* const c = drape.at(x, y);
+        return vec4(c[0], c[1], c[2], c[3]);
+    };
+    return glm::mix(glm::mix(at(first.x, first.y), at(last.x, first.y), t.x), glm::mix(at(first.x, last.y), at(last.x, last.y), t.x), t.y);
+}
+
+Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options, const Image* drape)
+{
+    GroundColour colour;
+    if (drape)
+        colour = [&](const dvec3& place) { return draped_at(map, *drape, dvec2(place)); };
+    return paint_terrain([&](const dvec3& place) { return terrain_normal(map, dvec2(place)); }, mesh, camera, options, colour);
+}
+
+Image paint_terrain(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options, const GroundColour& colour)
 {
     check(options);
-    const Painter painter(normal, mesh, camera, options);
+    const Painter painter(normal, mesh, camera, options, colour);
     Image image(camera.size, 3);
     parallel_each(std::size_t(camera.size.y), 4, [&](std::size_t row) {
         for (int x = 0; x < camera.size.x; ++x) {
-            const vec3 colour = painter.pixel(x, int(row));
-            std::copy(&colour.x, &colour.x + 3, image.at(x, int(row)));
+            const vec3 seen = painter.pixel(x, int(row));
+            std::copy(&seen.x, &seen.x + 3, image.at(x, int(row)));
         }
     });
     return image;

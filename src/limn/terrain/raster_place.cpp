@@ -62,19 +62,6 @@ void turn_north_up(GeoTransform& transform, const ivec2& size, RasterPlace& plac
             fmt::format("the raster is turned by {:.2f} degrees in its system; its columns are taken as running east", angle));
 }
 
-OGRSpatialReference system_of(GDALDataset& dataset, const std::string& crs)
-{
-    OGRSpatialReference system;
-    if (!crs.empty()) {
-        if (!find_system(crs, system))
-            throw Error::Input(fmt::format("--crs: '{}' is no coordinate system that PROJ knows; say for example EPSG:32611", crs));
-    } else if (const OGRSpatialReference* own = dataset.GetSpatialRef()) {
-        system = *own;
-    }
-    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return system;
-}
-
 void take_height_unit(const OGRSpatialReference& system, RasterPlace& place)
 {
     if (!system.IsCompound() && !system.IsVertical())
@@ -187,11 +174,24 @@ double GroundMeasure::metres(const dvec2& middle, const dvec2& step) const
     return in_angles_ ? metres_of_angles(middle, step, unit_) : unit_ * glm::length(step) / stretch(middle, step);
 }
 
+OGRSpatialReference raster_system(GDALDataset& dataset, const std::string& crs)
+{
+    OGRSpatialReference system;
+    if (!crs.empty()) {
+        if (!find_system(crs, system))
+            throw Error::Input(fmt::format("--crs: '{}' is no coordinate system that PROJ knows; say for example EPSG:32611", crs));
+    } else if (const OGRSpatialReference* own = dataset.GetSpatialRef()) {
+        system = *own;
+    }
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return system;
+}
+
 RasterPlace place_raster(GDALDataset& dataset, const std::string& crs, const std::string& file)
 {
     const gdal::Reports reports;
     const ivec2 size = {dataset.GetRasterXSize(), dataset.GetRasterYSize()};
-    OGRSpatialReference system = system_of(dataset, crs);
+    OGRSpatialReference system = raster_system(dataset, crs);
     RasterPlace place;
     take_height_unit(system, place);
     place.height_unit_was_asked = !crs.empty() && place.height_unit > 0;

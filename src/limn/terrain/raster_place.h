@@ -56,6 +56,10 @@ struct RasterPlace {
 /// @throws Error::Input for a crs that is none; Error::Read for a place that makes no sense, naming `file`.
 RasterPlace place_raster(GDALDataset& dataset, const std::string& crs, const std::string& file);
 
+/// The system that `crs` names, or the raster's own one; empty where it has none. Coordinates are easting and northing, or longitude and latitude.
+/// @throws Error::Input for a crs that is none
+OGRSpatialReference raster_system(GDALDataset& dataset, const std::string& crs);
+
 /// The coordinate system that a text names ("EPSG:32611", a PROJ string, "NAD27 / UTM zone 10N"); false where it names none.
 bool find_system(const std::string& text, OGRSpatialReference& system);
 
