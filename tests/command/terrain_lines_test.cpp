@@ -104,6 +104,20 @@ TEST_F(TerrainLines, SaysWhatIsWrong)
     EXPECT_FALSE(exists("x.svg"));
 }
 
+TEST_F(TerrainLines, WarnsOfSamplesWithoutDataAndIsStrictAboutThem)
+{
+    write_text(path("holed.asc"), "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n1 2 3 4\n2 3 4 5\n3 4 5 -9999\n");
+    const std::string draw_it = "terrain " + path("holed.asc") + " --size 64x48 -o " + path("holed.svg");
+    const ProgramResult strict = limn(draw_it + " --strict");
+    EXPECT_EQ(strict.exit_code, 1);
+    EXPECT_TRUE(contains(strict.errors, "1 sample without data (--fill closes holes) (--strict)")) << strict.errors;
+    EXPECT_FALSE(exists("holed.svg"));
+    const ProgramResult lax = limn(draw_it);
+    EXPECT_EQ(lax.exit_code, 0);
+    EXPECT_TRUE(contains(lax.errors, "warning: " + path("holed.asc") + ": 1 sample without data")) << lax.errors;
+    EXPECT_EQ(limn(draw_it + " --strict --fill").exit_code, 0);
+}
+
 TEST_F(TerrainLines, HelpShowsTheDefaultsOfTerrain)
 {
     const auto without_breaks = [](std::string text) {
