@@ -149,9 +149,8 @@ std::string report(const TerrainCommand& command, const ReadHeightMapResult& rea
 /// Pictures and meshes have bounds of their own where none is asked for: a pixel, and a part of the relief.
 class Maker {
 public:
-    Maker(const TerrainCommand& command, const HeightMap& map, const std::vector<Output>& outputs) : command_(command), map_(map), outputs_(outputs), options_(command.build), picture_(command.picture)
+    Maker(const TerrainCommand& command, const HeightMap& map, const std::vector<Output>& outputs) : command_(command), map_(map), outputs_(outputs), options_(command.build)
     {
-        picture_.normal = ground_normal(command.smooth, map);
         if (!command.max_error.empty())
             options_.bound = parse_terrain_bound(command.max_error);
         const bool pictures = std::any_of(outputs.begin(), outputs.end(), is_picture);
@@ -190,7 +189,7 @@ private:
     {
         for (const Output& output : outputs) {
             if (is_picture(output))
-                write_file(output.path, encode_png(paint_terrain(map_, mesh, *camera_, picture_), {}));
+                write_file(output.path, encode_png(paint_terrain(ground_normal(command_.smooth, map_), mesh, *camera_, command_.picture), {}));
             else
                 write_mesh(for_file(mesh, command_.print_size, command_.base), output.path, {.format = output.format, .double_positions = command_.double_positions});
         }
@@ -199,7 +198,6 @@ private:
     const HeightMap& map_;
     const std::vector<Output>& outputs_;
     TerrainBuildOptions options_;
-    TerrainPictureOptions picture_;
     std::optional<Camera> camera_;
     std::vector<std::string> notes_;
 };

@@ -92,9 +92,9 @@ std::string measured_thing(const TerrainSmooth& smooth) { return has_surface(smo
 GroundNormal ground_normal(const TerrainSmooth& smooth, const HeightMap& map)
 {
     if (!has_surface(smooth))
-        return {};
+        return [&map](const dvec3& place) { return terrain_normal(map, dvec2(place)); };
     const auto surface = std::make_shared<const HeightSurface>(map, interpolant(smooth));
-    return [surface](const dvec2& place) { return surface->normal(place); };
+    return [surface](const dvec3& place) { return surface->normal(dvec2(place)); };
 }
 
 nlohmann::ordered_json terrain_smooth_json(const TerrainSmooth& smooth)

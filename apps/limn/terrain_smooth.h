@@ -27,6 +27,6 @@ limn::BuiltTerrain build_smooth_terrain(const TerrainSmooth& smooth, const limn:
                                         const std::optional<limn::Camera>& camera, std::vector<std::string>& notes);
 /// What a mesh was held against: "sample", or "point" of a surface.
 std::string measured_thing(const TerrainSmooth& smooth);
-/// What light falls on: of a surface its own normals, else empty. @param map  has to outlive it
+/// What light falls on: of a surface its own normals, else terrain_normal(). @param map  has to outlive it
 limn::GroundNormal ground_normal(const TerrainSmooth& smooth, const limn::HeightMap& map);
 nlohmann::ordered_json terrain_smooth_json(const TerrainSmooth& smooth);

@@ -11,7 +11,9 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/base/random.h"
 #include "limn/geometry/adjacency.h"
+#include "limn/raycast/ray_scene.h"
 #include "limn/surface/neighbours.h"
 #include "limn/terrain/measure_terrain.h"
 #include "limn/terrain/terrain_mesh.h"
@@ -342,6 +344,36 @@ TEST(HermiteSmoothing, CoversTheMap)
     for (const HermiteOptions& options : {HermiteOptions(), seed_options}) {
         const SmoothedMesh made = smooth_mesh(terrain_mesh_within(map, 30), {1.0}, options);
         EXPECT_EQ(measure_terrain(inside, made.mesh, 30).bare, 0u);
+    }
+}
+
+/// Checklist 14: through no pixel of random views can one see the inside of a smoothed closed mesh, whose unequal edges force splits.
+TEST(HermiteSmoothing, HasNoHolesInPictures)
+{
+    NormalMesh ball = icosahedron();
+    for (std::size_t i = 0; i < ball.positions.size(); ++i)
+        ball.positions[i] *= dvec3(1.6, 1.1, 0.7);
+    for (const HermiteOptions& options : {HermiteOptions(), seed_options}) {
+        const SmoothedMesh made = smooth_mesh(mesh_of(ball), {0.002}, options);
+        EXPECT_EQ(is_closed(made.mesh), options.rule == HermiteRule::repaired); // the seed's has T-vertices
+        std::vector<vec3> places(made.mesh.positions.begin(), made.mesh.positions.end());
+        places.emplace_back(0); // a spare one for the tracer
+        const RayScene rays(std::array{RayTriangles{std::span(places).first(places.size() - 1), made.mesh.triangles}});
+        std::size_t holes = 0;
+        for (std::uint64_t view = 0; view < 20; ++view) {
+            Random random(31, view);
+            const dvec3 eye = 5.0 * glm::normalize(dvec3(random.normal(), random.normal(), random.normal()));
+            const Camera camera = {eye, {0, 0, 0}, {0.1, 0.2, 1}, 10, false, 2, {200, 200}};
+            for (int y = 0; y < 200; ++y)
+                for (int x = 0; x < 200; ++x) {
+                    const Camera::Ray ray = camera.ray({x + 0.5, y + 0.5});
+                    if (glm::length(glm::cross(ray.origin, ray.direction)) > 0.5) // from the middle; the mesh is further out
+                        continue;
+                    const Hit hit = rays.closest({vec3(ray.origin), vec3(ray.direction)});
+                    holes += !hit || double(hit.distance) > 5;
+                }
+        }
+        EXPECT_EQ(holes, 0u);
     }
 }
 

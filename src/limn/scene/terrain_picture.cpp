@@ -59,7 +59,7 @@ private:
 
 class Painter {
 public:
-    Painter(const std::function<dvec3(const dvec3&)>& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
+    Painter(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
         : normal_(normal), camera_(camera), options_(options), terrain_(mesh), rays_(std::array{terrain_.triangles()})
     {
         const Bounds bounds = mesh.bounds();
@@ -99,7 +99,7 @@ private:
         const double flat = std::max(sun_.z, 0.2), lit = std::max(0.0, glm::dot(normal, sun_)) / flat;
         return float(std::min(sky + (1 - sky) * lit, 1.12));
     }
-    const std::function<dvec3(const dvec3&)>& normal_;
+    const GroundNormal& normal_;
     const Camera& camera_;
     const TerrainPictureOptions& options_;
     RayTerrain terrain_;
@@ -144,11 +144,10 @@ dvec3 terrain_normal(const HeightMap& map, const dvec2& place)
 
 Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
 {
-    const auto normal = [&](const dvec3& place) { return options.normal ? options.normal(dvec2(place)) : terrain_normal(map, dvec2(place)); };
-    return paint_terrain(normal, mesh, camera, options);
+    return paint_terrain([&](const dvec3& place) { return terrain_normal(map, dvec2(place)); }, mesh, camera, options);
 }
 
-Image paint_terrain(const std::function<dvec3(const dvec3&)>& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
+Image paint_terrain(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options)
 {
     check(options);
     const Painter painter(normal, mesh, camera, options);

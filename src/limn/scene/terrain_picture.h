@@ -10,8 +10,8 @@
 
 namespace limn {
 
-/// The upward unit normal of the ground at a place in the map's own coordinates.
-using GroundNormal = std::function<dvec3(const dvec2&)>;
+/// The upward unit normal of the ground at a place on a mesh in the map's own coordinates; asked for by many threads at once.
+using GroundNormal = std::function<dvec3(const dvec3&)>;
 
 /// How a picture of a terrain is coloured.
 struct TerrainPictureOptions {
@@ -23,7 +23,6 @@ struct TerrainPictureOptions {
     double sun_height = 45;    ///< degrees above the horizon, 0 to 90
     int samples = 3;           ///< rays along each side of a pixel, 1 to 16
     vec3 background = vec3(1); ///< encoded (sRGB)
-    GroundNormal normal = {};  ///< what light falls on; empty: terrain_normal() of the map. From any thread
 };
 
 /// The options as data: colours, sun and samples.
@@ -35,9 +34,8 @@ const OptionTable<TerrainPictureOptions>& terrain_picture_option_table();
 /// @throws Error::Input for a number out of its range, Error::Device when Embree cannot build the scene
 Image paint_terrain(const HeightMap& map, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options = {});
 
-/// The same with normals of the ground that come from elsewhere; `options.normal` is not asked.
-/// @param normal  upward and of unit length, of a place on the mesh; asked for by many threads at once
-Image paint_terrain(const std::function<dvec3(const dvec3&)>& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options = {});
+/// The same with normals of the ground that come from elsewhere.
+Image paint_terrain(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options = {});
 
 /// The upward unit normal of the map at a place in its own coordinates, which is moved onto the map where it is outside.
 /// Straight up where nothing around has data.

@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-constexpr std::int64_t most_base_samples = 1 << 22;
+constexpr std::int64_t most_base_samples = 20'000'000;
 constexpr int most_levels = 12, most_base = 2;
 constexpr std::int64_t furthest = 1 << 29; // coordinates of a lattice
 

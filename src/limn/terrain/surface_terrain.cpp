@@ -65,7 +65,7 @@ Mesh mesh_in_view(const SurfaceErrors& errors, const Camera& camera, double pixe
 /// A map of points of the surface to measure against.
 HeightMap measured_points(const HeightSurface& surface)
 {
-    constexpr std::int64_t most = 1 << 24;
+    constexpr std::int64_t most = 20'000'000;
     int levels = 0;
     while (levels < 3 && (std::int64_t(surface.map().columns) << (levels + 1)) * (std::int64_t(surface.map().rows) << (levels + 1)) <= most)
         ++levels;

@@ -19,7 +19,7 @@ Mesh surface_mesh_within(const SurfaceErrors& errors, double tolerance);
 Mesh surface_mesh_in_view(const SurfaceErrors& errors, const Camera& camera, double pixels);
 
 /// build_terrain() for the surface between the samples, with the same options but `triangles` and with --method strict alone; measured against points
-/// of the surface on a lattice up to 8 times finer than the samples, 16 million at most.
+/// of the surface on a lattice up to 8 times finer than the samples, 20 million at most.
 /// @throws Error::Input for a bound that is not above 0, and options that do not go with it
 BuiltTerrain build_surface_terrain(const HeightSurface& surface, const TerrainBuildOptions& options, const std::optional<Camera>& camera = {});
 
