@@ -40,8 +40,6 @@ struct PyramidLayout {
     int level_of(const BisectionTriangle& t) const;
     /// The tile on the triangle's side that owns this point.
     TileId tile_of(const BisectionTriangle& t) const;
-    /// The quarter (0 to 3, row by row) of a tile.
-    TileId quarter(const TileId& tile, int which) const { return {tile.level - 1, tile.at * 2 + ivec2(which % 2, which / 2)}; }
 };
 
 } // namespace limn
