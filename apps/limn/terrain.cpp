@@ -95,6 +95,8 @@ void check(const TerrainCommand& command, const std::vector<Output>& outputs)
         throw Error::Input("--drape is for shaded pictures and for meshes in glb, ply and obj");
     if (!command.drape.empty() && command.base > 0)
         throw Error::Input("--drape: a solid with walls and a floor cannot be draped; leave --base out");
+    if (command.smooth.kind != TerrainSmooth::Kind::none && std::any_of(outputs.begin(), outputs.end(), [&](const Output& output) { return kind_of(command.lines, output) == Kind::drawing; }))
+        throw Error::Input("--smooth is for shaded pictures and meshes; lines come from samples, see --generalise");
     if (command.base > 0 && std::all_of(outputs.begin(), outputs.end(), is_picture))
         throw Error::Input("--base is for meshes; give -o FILE.stl");
     if (command.print_size > 0 && std::all_of(outputs.begin(), outputs.end(), is_picture))
@@ -297,6 +299,8 @@ void run(const CLI::App& app, TerrainCommand& command)
     check_terrain_smooth(app, command.smooth);
     if (is_pyramid_file(command.file) && command.smooth.kind != TerrainSmooth::Kind::none)
         throw Error::Input("--smooth: a pyramid has no surface between its samples; it needs a whole height map in memory");
+    if (is_pyramid_file(command.file) && !command.drape.empty())
+        throw Error::Input("--drape needs a whole height map in memory; a pyramid is in tiles");
     if (is_pyramid_file(command.file))
         return run_terrain_pyramid({command.common, command.file, command.view, command.max_error, command.build, command.picture, command.error_report,
                                     command.double_positions, command.base, command.print_size}, outputs);
