@@ -7,14 +7,12 @@
 
 #include "common.h"
 #include "console.h"
-#include "fit_camera.h"
 #include "limn/base/error.h"
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
 #include "limn/drawing/png.h"
 #include "limn/drawing/write_drawing.h"
 #include "limn/geometry/write_mesh.h"
-#include "limn/lines/line_model.h"
 #include "limn/scene/terrain_picture.h"
 #include "limn/terrain/read_height_map.h"
 #include "limn/terrain/terrain_build.h"
@@ -106,17 +104,9 @@ void check(const TerrainCommand& command, const std::vector<Output>& outputs)
 
 Sheet place_camera(const TerrainCommand& command, const HeightMap& map)
 {
-    ViewOptions view = command.view;
-    if (view.views.empty() && view.eye.empty())
-        view.views = {view.usual_view};
     TerrainBuildOptions coarse;
     coarse.exaggerate = command.build.exaggerate;
-    const Mesh mesh = build_terrain(map, coarse).mesh;
-    const LineModel model = places_of(mesh);
-    Sheet sheet = place_cameras(view, {model, mesh.bounds()}, 'z');
-    if (!view.views.empty() && view.camera_file.empty() && !sheet.cameras.front().orthographic)
-        centre_in_picture(sheet.cameras.front(), model);
-    return sheet;
+    return place_terrain_camera(command.view, build_terrain(map, coarse).mesh);
 }
 
 /// A warning where the eye is under the ground.

@@ -5,10 +5,15 @@
 #include <fmt/format.h>
 
 #include "console.h"
+#include "fit_camera.h"
+#include "limn/lines/line_model.h"
 #include "limn/terrain/terrain_solid.h"
 
 using namespace limn;
 
+namespace {
+
+/// The places of a coarse mesh, for a camera to be fitted around.
 LineModel places_of(const Mesh& mesh)
 {
     LineModel model;
@@ -19,6 +24,19 @@ LineModel places_of(const Mesh& mesh)
         model.positions.push_back(model.from_world(p));
     model.positions.emplace_back(0); // the spare one
     return model;
+}
+
+} // namespace
+
+Sheet place_terrain_camera(ViewOptions view, const Mesh& coarse)
+{
+    if (view.views.empty() && view.eye.empty())
+        view.views = {view.usual_view};
+    const LineModel model = places_of(coarse);
+    Sheet sheet = place_cameras(view, {model, coarse.bounds()}, 'z');
+    if (!view.views.empty() && view.camera_file.empty() && !sheet.cameras.front().orthographic)
+        centre_in_picture(sheet.cameras.front(), model);
+    return sheet;
 }
 
 Mesh for_file(Mesh mesh, double print_size, double base)

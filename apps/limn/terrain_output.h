@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "limn/lines/line_model.h"
 #include "limn/terrain/terrain_build.h"
+#include "views.h"
 
-/// The places of a coarse mesh, for a camera to be fitted around.
-limn::LineModel places_of(const limn::Mesh& mesh);
+/// The camera of the options, or of their usual view, around a coarse mesh: in the middle of the picture where nothing else is said.
+Sheet place_terrain_camera(ViewOptions view, const limn::Mesh& coarse);
 
 /// A mesh as it is written: millimetres for a print, metres else.
 /// @param print_size  of its longer side, mm; 0: metres

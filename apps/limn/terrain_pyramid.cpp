@@ -22,7 +22,6 @@ using namespace limn;
 
 namespace {
 
-constexpr const char* usual_view = "20,35"; // as of height maps in memory
 constexpr std::size_t tile_budget = std::size_t(96) << 20, picture_budget = std::size_t(64) << 20;
 
 bool is_picture(const Output& output) { return output.format == "png"; }
@@ -99,15 +98,11 @@ private:
     Camera place_camera()
     {
         constexpr double share_of_relief = 1.0 / 500, large = 2048 * 2048;
-        ViewOptions view = command_.view;
-        if (view.views.empty() && view.eye.empty())
-            view.views = {usual_view};
         const double exaggerate = command_.build.exaggerate, samples = double(pyramid_.frame().columns) * pyramid_.frame().rows;
         // The larger the map, the coarser: it is only looked at from where all of it can be seen.
         const double tolerance = exaggerate * relief() * share_of_relief * std::max(1.0, samples / large);
         const Mesh coarse = mesh(metric_test(pyramid_, tolerance, 0, exaggerate));
-        const LineModel model = places_of(coarse);
-        return place_cameras(view, {model, coarse.bounds()}, 'z').cameras.front();
+        return place_terrain_camera(command_.view, coarse).cameras.front();
     }
     BuiltTerrain built(bool for_picture)
     {

@@ -38,7 +38,7 @@ TEST_F(TerrainPyramidCommand, WritesTheMeshesOfTheWholeMap)
             const ProgramResult result = limn("terrain " + path(name) + " " + options + " -o " + path(name + ".ply"));
             EXPECT_EQ(result.exit_code, 0) << result.errors;
         }
-        EXPECT_EQ(read_text(path("map.tif.ply")), read_text(path("map.pyramid.ply"))) << options;
+        EXPECT_TRUE(read_text(path("map.tif.ply")) == read_text(path("map.pyramid.ply"))) << options;
     }
 }
 
