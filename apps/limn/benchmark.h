@@ -7,9 +7,9 @@
 
 /// What a benchmark is asked for. What is empty or 0 is the benchmark's own choice.
 struct BenchRequest {
-    std::vector<std::size_t> sizes;  ///< triangles, ascending
-    std::vector<std::string> models; ///< shapes of `limn sample`
-    int views = 0;
+    std::vector<std::size_t> sizes;  ///< triangles, or samples along a side of terrain; ascending
+    std::vector<std::string> models; ///< shapes or landforms of `limn sample`, or files
+    int views = 0;                   ///< or frames of a flight
     std::vector<double> bounds;      ///< of meshes of terrain, metres
     std::vector<int> edges;          ///< of square pictures, px
     int runs = 7;                    ///< of whole processes; 0: none
