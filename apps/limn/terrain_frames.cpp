@@ -12,10 +12,7 @@
 
 using namespace limn;
 
-namespace {
-
-/// On a circle about the middle of the map, above its highest ground, looking ahead and down; it takes the whole circle's turn with it.
-Camera camera_of(const HeightMap& map, double highest, int frame)
+Camera flight_camera(const HeightMap& map, double highest, int frame)
 {
     constexpr double metres_a_frame = 50.0 / 60;
     const dvec2 size = dvec2(map.columns - 1, map.rows - 1) * map.spacing;
@@ -39,8 +36,6 @@ double highest_of(const HeightMap& map)
     return highest;
 }
 
-} // namespace
-
 PreparedTimes time_preparation(const HeightMap& map, std::size_t triangles, int runs)
 {
     PreparedTimes times;
@@ -61,10 +56,10 @@ FlightTimes time_flight(const HeightMap& map, const NestedErrors& errors, double
     const double highest = highest_of(map);
     const ViewTolerance tolerance{.pixels = pixels};
     TerrainView view(map, errors);
-    view.update(camera_of(map, highest, 0), tolerance);
+    view.update(flight_camera(map, highest, 0), tolerance);
     std::vector<double> update, changed, leaves, restart, morphed, mesh;
     for (int frame = 1; frame <= frames; ++frame) {
-        const Camera camera = camera_of(map, highest, frame);
+        const Camera camera = flight_camera(map, highest, frame);
         std::size_t came_or_went = 0;
         update.push_back(ms_of([&] { came_or_went = view.update(camera, tolerance); }));
         changed.push_back(double(came_or_went));

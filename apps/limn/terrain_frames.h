@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "limn/camera/camera.h"
 #include "limn/terrain/height_map.h"
 #include "limn/terrain/nested_errors.h"
 
@@ -22,5 +23,11 @@ struct FlightTimes {
     double restart = 0, morphed = 0, mesh = 0;          ///< milliseconds of triangles_in_view, morphed_mesh, terrain_mesh; medians of every tenth frame
 };
 
-/// @param frames  of a flight that takes a 60th of a second for each, at 50 m/s
+/// A camera on its way over a map: on a circle about the middle, above the highest ground, looking ahead and down; it takes the whole circle's
+/// turn with it.
+/// @param frame  takes a 60th of a second, at 50 m/s
+limn::Camera flight_camera(const limn::HeightMap& map, double highest, int frame);
+/// The highest sample that has data, in metres.
+double highest_of(const limn::HeightMap& map);
+
 FlightTimes time_flight(const limn::HeightMap& map, const limn::NestedErrors& errors, double pixels, int frames);
