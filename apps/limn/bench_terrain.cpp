@@ -9,8 +9,10 @@
 #include "bench_table.h"
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/terrain/build_pyramid.h"
 #include "limn/terrain/read_height_map.h"
 #include "limn/terrain/terrain_samples.h"
+#include "scratch_folder.h"
 #include "seed_frames.h"
 #include "terrain_counts.h"
 #include "terrain_frames.h"
@@ -74,7 +76,7 @@ struct Tables {
     MarkdownTable times = MarkdownTable({"map", "bound (m)", "strict", "delaunay", "inserted", "delatin", "delaunay/delatin", "inserted/delatin", "martini that holds it", "strict/martini"});
     MarkdownTable set_up = MarkdownTable({"map", "strict", "martini", "strict/martini", "RTIN by brute force"});
     MarkdownTable prepared = MarkdownTable({"samples", "threads", "errors", "errors and ranges", "M samples/s", "triangles", "found", "made a mesh"});
-    MarkdownTable flight = MarkdownTable({"bound (px)", "threads", "triangles", "come or go", "update", "95 of 100", "worst", "from nothing", "mesh", "morphed mesh"});
+    MarkdownTable flight = MarkdownTable({"bound (px)", "threads", "triangles", "come or go", "update", "95 of 100", "worst", "of tiles", "95 of 100 of these", "from nothing", "mesh", "morphed mesh"});
     MarkdownTable seed = MarkdownTable({"threads", "triangles", "smoothed", "steps", "mark passes", "smooth passes", "test", "mark", "split", "mesh", "smooth", "frame", "worst", "frames/s", "threads' gain", "strict triangles", "strict", "frame/strict"});
     double worst_share = 0; ///< the greatest distance of a sample in parts of its bound, in strict and delaunay meshes
 };
@@ -127,11 +129,14 @@ void add_flight(const TerrainBench& bench, MarkdownTable& table)
 {
     const HeightMap map = generated("mountains", int(bench.flight_side()));
     const NestedErrors errors = nest_errors(map, {.ranges = true});
+    const ScratchFolder folder;
+    build_pyramid(rows_of(map), folder / "flight.pyramid");
+    const TerrainPyramid pyramid(folder / "flight.pyramid");
     for (const double bound : flight_bounds)
         for (const int threads : thread_counts()) {
-            const FlightTimes t = with_threads(threads, [&] { return time_flight(map, errors, bound, bench.frames); });
+            const FlightTimes t = with_threads(threads, [&] { return time_flight(map, errors, pyramid, bound, bench.frames); });
             table.add({number_text(bound), std::to_string(threads), count_text(t.leaves), count_text(t.changed), ms_text(t.update), ms_text(t.update_95), ms_text(t.update_worst),
-                       ms_text(t.restart), ms_text(t.mesh), ms_text(t.morphed)});
+                       ms_text(t.tiles), ms_text(t.tiles_95), ms_text(t.restart), ms_text(t.mesh), ms_text(t.morphed)});
         }
 }
 
@@ -169,7 +174,7 @@ std::string bench_text(const TerrainBench& bench, const TerrainPeers& peers, con
         "What is done once, on one thread: the errors of all lattice points:\n\n{}\n"
         "`limn sample terrain` of so many samples: errors once for all bounds (*and ranges*: for pictures), then a mesh of at most {} triangles:\n\n{}\n"
         "A flight at 50 m/s over {} x {} samples, 1920 x 1080 pixels, {} frames of a 60th of a second; how many triangles there are and how many come or go from frame to frame, and how "
-        "long `TerrainView::update` takes; beside it all triangles anew (`triangles_in_view`), their mesh, and the mesh whose vertices move to their places (`morphed_mesh`, from "
+        "long `TerrainView::update` takes; beside it `TerrainPyramidView::update` (*of tiles*, those needed in memory), all triangles anew (`triangles_in_view`), their mesh, and the mesh whose vertices move to their places (`morphed_mesh`, from "
         "nothing):\n\n{}\n"
         "Every tenth of these frames as the thesis behind the specification makes them, from nothing: parallel adaptive refinement of what is seen to 1 px from 16 x 16 squares, stage by "
         "stage (*test* edges, *mark* what has to be split with them, *split*), then vertices and normals (*mesh*), and smoothing to .3 px with half of the tangents; beside it strict triangles "

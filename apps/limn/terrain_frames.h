@@ -5,6 +5,7 @@
 #include "limn/camera/camera.h"
 #include "limn/terrain/height_map.h"
 #include "limn/terrain/nested_errors.h"
+#include "limn/terrain/terrain_pyramid.h"
 
 /// Milliseconds of a map's preparation and of one large mesh of it.
 struct PreparedTimes {
@@ -20,6 +21,7 @@ struct FlightTimes {
     double pixels = 0;                      ///< the bound
     double leaves = 0, changed = 0;         ///< triangles, and how many came or went from frame to frame; medians
     double update = 0, update_95 = 0, update_worst = 0; ///< milliseconds of TerrainView::update: median, 95th percentile, maximum
+    double tiles = 0, tiles_95 = 0;                     ///< milliseconds of TerrainPyramidView::update, whose tiles are in memory
     double restart = 0, morphed = 0, mesh = 0;          ///< milliseconds of triangles_in_view, morphed_mesh, terrain_mesh; medians of every tenth frame
 };
 
@@ -30,4 +32,5 @@ limn::Camera flight_camera(const limn::HeightMap& map, double highest, int frame
 /// The highest sample that has data, in metres.
 double highest_of(const limn::HeightMap& map);
 
-FlightTimes time_flight(const limn::HeightMap& map, const limn::NestedErrors& errors, double pixels, int frames);
+/// @param pyramid  of the map
+FlightTimes time_flight(const limn::HeightMap& map, const limn::NestedErrors& errors, const limn::TerrainPyramid& pyramid, double pixels, int frames);
