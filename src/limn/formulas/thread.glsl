@@ -21,7 +21,7 @@ struct ThreadPattern {
 FORMULA vec2 sphere_place(const vec3 n)
 {
     float u = n.x == 0.0f && n.z == 0.0f ? 0.0f : atan(n.x, n.z) / 6.28318530718f;
-    return vec2(fract(u), acos(clamp(n.y, -1.0f, 1.0f)) / 3.14159265359f);
+    return vec2(fract(u), atan(sqrt(n.x * n.x + n.z * n.z), n.y) / 3.14159265359f); // acos loses digits at the poles, and on devices everywhere
 }
 
 // How much that changes for a step of the normal.
