@@ -34,15 +34,16 @@ void expect_lossless(const Maps& maps, int size, const ivec2& cells, float margi
 {
     const std::string bytes = compressed(maps, size, cells, margin);
     const StoredBricks bricks(bytes, size, cells, "a.csm");
-    std::vector<std::uint32_t> texels, ranks;
+    std::vector<MapPlace> places;
     for (std::uint32_t rank = 0; rank < maps.size(); ++rank)
         for (std::uint32_t texel = 0; texel < maps[rank].near.size(); ++texel)
-            texels.push_back(texel), ranks.push_back(rank);
-    std::vector<float> batch(texels.size());
-    bricks.depths(texels, ranks, batch);
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-        const float near = maps[ranks[i]].near[texels[i]], far = maps[ranks[i]].far[texels[i]], found = bricks.depth(texels[i], ranks[i]);
-        const ivec2 texel = {int(texels[i]) % size, int(texels[i]) / size}, cell = {int(ranks[i]) % cells.x, int(ranks[i]) / cells.x};
+            places.push_back({texel, rank});
+    std::vector<float> batch(places.size());
+    bricks.depths(places, batch.data());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto [at, rank] = places[i];
+        const float near = maps[rank].near[at], far = maps[rank].far[at], found = bricks.depth(at, rank);
+        const ivec2 texel = {int(at) % size, int(at) / size}, cell = {int(rank) % cells.x, int(rank) / cells.x};
         ASSERT_EQ(found, batch[i]);
         ASSERT_EQ(found, bricks.depth(texel, cell));
         ASSERT_EQ(bricks.hit(texel, cell), near != no_surface);

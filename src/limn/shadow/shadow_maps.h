@@ -8,6 +8,7 @@
 
 #include "limn/geometry/mesh.h"
 #include "limn/shadow/csm_header.h"
+#include "limn/shadow/look_up.h"
 #include "limn/shadow/stored_bricks.h"
 #include "limn/shadow/stored_segments.h"
 
@@ -22,11 +23,21 @@ public:
     ShadowMaps(std::string_view bytes, std::shared_ptr<const void> owner, const std::string& name);
 
     const ShadowMapsInfo& info() const { return info_; }
+    /// For a LookUp in them.
+    MapLayout layout() const { return {info_.grid, info_.order, info_.size}; }
     /// Between the first and second surface of a texel (row by row, along the frame's `up`) in the map of a rank, from 0 nearest to the eye to 1;
     /// no_surface where the map has none. A depth source.
     float depth(std::size_t texel, std::uint32_t rank) const
     {
         return bricks() ? bricks()->depth(texel, rank) : segments()->depth(texel, rank);
+    }
+    /// The same of many (read_depths.h).
+    void depths(std::span<const MapPlace> places, float* depths) const
+    {
+        if (bricks())
+            bricks()->depths(places, depths);
+        else
+            read_depths(*segments(), places, depths);
     }
     /// The file.
     std::string_view bytes() const { return bytes_; }

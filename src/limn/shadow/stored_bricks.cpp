@@ -8,10 +8,17 @@
 
 #include "limn/base/error.h"
 
+// Nearly all of a look-up is counting bits, for which x86-64's base set has no instruction: the best of two versions is chosen at run time.
+#if defined(__x86_64__) && defined(__ELF__)
+#define LIMN_COUNTS_BITS __attribute__((target_clones("popcnt", "default")))
+#else
+#define LIMN_COUNTS_BITS
+#endif
+
 namespace limn {
 namespace {
 
-std::uint32_t way_to(std::uint32_t order, const ivec2& texel, const ivec2& cell)
+inline std::uint32_t way_to(std::uint32_t order, const ivec2& texel, const ivec2& cell)
 {
     const auto& ways = brick_ways[order];
     return std::uint32_t(ways[0][std::size_t(texel.x)] | ways[1][std::size_t(texel.y)] | ways[2][std::size_t(cell.x)] | ways[3][std::size_t(cell.y)]);
@@ -27,7 +34,7 @@ struct BrickParts {
     std::size_t values, outline, outline_leaves, depths, depth_leaves;
 };
 
-bool is_surface(const unsigned char* bytes, const BrickHeader& header, const BrickParts& parts, const ivec2& texel, const ivec2& cell)
+inline bool is_surface(const unsigned char* bytes, const BrickHeader& header, const BrickParts& parts, const ivec2& texel, const ivec2& cell)
 {
     if (header.outline_nodes == 0)
         return true;
@@ -37,7 +44,7 @@ bool is_surface(const unsigned char* bytes, const BrickHeader& header, const Bri
     return leaf.last && leaf.second ? !bit : bit;
 }
 
-std::uint32_t value_number(const unsigned char* bytes, const BrickHeader& header, const BrickParts& parts, const ivec2& texel, const ivec2& cell)
+inline std::uint32_t value_number(const unsigned char* bytes, const BrickHeader& header, const BrickParts& parts, const ivec2& texel, const ivec2& cell)
 {
     if (header.depth_nodes == 0)
         return 0;
@@ -53,7 +60,7 @@ std::uint32_t value_number(const unsigned char* bytes, const BrickHeader& header
     return std::min(value, count - 1); // a damaged file must not lead outside
 }
 
-float value_at(const unsigned char* bytes, const BrickHeader& header, const BrickParts& parts, std::uint32_t number)
+inline float value_at(const unsigned char* bytes, const BrickHeader& header, const BrickParts& parts, std::uint32_t number)
 {
     std::size_t at = parts.values;
     std::uint32_t width = 8;
@@ -66,7 +73,7 @@ float value_at(const unsigned char* bytes, const BrickHeader& header, const Bric
     return float(value << (depth_bits - int(width))) * depth_step;
 }
 
-float brick_depth(const unsigned char* bytes, const ivec2& texel, const ivec2& cell)
+inline float brick_depth(const unsigned char* bytes, const ivec2& texel, const ivec2& cell)
 {
     const BrickHeader header = brick_header(bits_at(bytes, 0));
     const BrickParts parts(header);
@@ -104,7 +111,7 @@ bool is_brick(const unsigned char* bytes, std::size_t size)
     return (parts.depth_leaves + width * (width == 1 ? header.depth_nodes + 1 : leaves) + 7) / 8 <= size;
 }
 
-std::uint32_t offset_at(const unsigned char* table, int number)
+inline std::uint32_t offset_at(const unsigned char* table, int number)
 {
     std::uint16_t offset;
     std::memcpy(&offset, table + std::size_t(number) * sizeof offset, sizeof offset);
@@ -165,14 +172,14 @@ StoredBricks::Found StoredBricks::find(const Element& element) const
     return {data + std::size_t(offset_at(data, std::popcount(group.general & before))) * (group.place & coarse_offsets ? 4 : 1)};
 }
 
-float StoredBricks::depth(const ivec2& texel, const ivec2& cell) const
+LIMN_COUNTS_BITS float StoredBricks::depth(const ivec2& texel, const ivec2& cell) const
 {
     const Element at = element(texel, cell);
     const Found brick = find(at);
     return brick.bytes ? brick_depth(brick.bytes, at.texel, at.cell) : brick.depth;
 }
 
-bool StoredBricks::hit(const ivec2& texel, const ivec2& cell) const
+LIMN_COUNTS_BITS bool StoredBricks::hit(const ivec2& texel, const ivec2& cell) const
 {
     const Element at = element(texel, cell);
     const Found brick = find(at);
@@ -182,15 +189,15 @@ bool StoredBricks::hit(const ivec2& texel, const ivec2& cell) const
     return is_surface(brick.bytes, header, BrickParts(header), at.texel, at.cell);
 }
 
-void StoredBricks::depths(std::span<const std::uint32_t> texels, std::span<const std::uint32_t> ranks, std::span<float> depths) const
+LIMN_COUNTS_BITS void StoredBricks::depths(std::span<const MapPlace> places, float* depths) const
 {
     constexpr std::size_t together = 16; // as many as can be on their way from memory
     std::array<Element, together> elements;
     std::array<Found, together> bricks;
-    for (std::size_t first = 0; first < texels.size(); first += together) {
-        const std::size_t count = std::min(together, texels.size() - first);
+    for (std::size_t first = 0; first < places.size(); first += together) {
+        const std::size_t count = std::min(together, places.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
-            elements[i] = element(place(texels[first + i]), cell_at(ranks[first + i]));
+            elements[i] = element(place(places[first + i].texel), cell_at(places[first + i].rank));
             __builtin_prefetch(&groups_[elements[i].group]);
         }
         for (std::size_t i = 0; i < count; ++i)

@@ -7,6 +7,7 @@
 
 #include "limn/base/vec.h"
 #include "limn/shadow/brick_stream.h"
+#include "limn/shadow/read_depths.h"
 
 namespace limn {
 
@@ -25,8 +26,8 @@ public:
     bool hit(const ivec2& texel, const ivec2& cell) const;
     /// @param rank  of the cell in the order theta_linear
     float depth(std::size_t texel, std::uint32_t rank) const { return depth(place(texel), cell_at(rank)); }
-    /// The same for many at a time, which does not wait for memory as often. @param depths  as many as texels and ranks
-    void depths(std::span<const std::uint32_t> texels, std::span<const std::uint32_t> ranks, std::span<float> depths) const;
+    /// The same of many, which waits for memory less often (read_depths.h). @param depths  as many as places
+    void depths(std::span<const MapPlace> places, float* depths) const;
 
     /// How many bricks there are of each kind.
     struct Counts {
