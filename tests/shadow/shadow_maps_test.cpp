@@ -145,6 +145,8 @@ TEST(ShadowMaps, RefuseOptionsOutOfRange)
     EXPECT_EQ(input_fault(knot, options), "--cells: 5000 is outside 1..4096");
     options = small_options(), options.margin = 0.5;
     EXPECT_EQ(input_fault(knot, options), "--margin: 0.5 is outside 0..0.49");
+    options = small_options(), options.order = MapOrder::hilbert;
+    EXPECT_EQ(input_fault(knot, options), "--order: bricks of maps have none; say --codec seed with it");
     options = small_options(ShadowCodec::segments), options.order = MapOrder::hilbert, options.cells = {6, 6};
     EXPECT_NE(input_fault(knot, options), "");
 }

@@ -25,6 +25,8 @@ void check(const BakeOptions& options)
     check_range("maps", options.maps, 1, most_maps);
     check_range("resolution", options.resolution, 1, largest_map);
     check_range("margin", options.margin, 0, most_margin);
+    if (options.codec == ShadowCodec::bricks && options.order != BakeOptions().order)
+        throw Error::Input("--order: bricks of maps have none; say --codec seed with it");
     if (options.cells == ivec2(0, 0))
         return;
     check_range("cells", options.cells.x, 1, most_cells);
@@ -97,7 +99,7 @@ const OptionTable<BakeOptions>& bake_option_table()
                                            {"phi-zigzag", MapOrder::phi_zigzag},
                                            {"phi-linear", MapOrder::phi_linear},
                                            {"hilbert", MapOrder::hilbert}},
-                                          "how maps follow each other", &BakeOptions::order),
+                                          "of the seed's codec: how maps follow each other", &BakeOptions::order),
         choice_row<BakeOptions, ShadowCodec>("codec", {{"bricks", ShadowCodec::bricks}, {"seed", ShadowCodec::segments}}, "how depths are stored", &BakeOptions::codec),
         number_row<BakeOptions>("margin", "of the thickness", 0, most_margin, "that depths keep from both surfaces", &BakeOptions::margin),
         choice_row<BakeOptions, OpenBack>("open-back", {{"sphere", OpenBack::sphere}, {"constant", OpenBack::constant}},
