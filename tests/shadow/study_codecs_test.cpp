@@ -188,18 +188,18 @@ TEST(Haar, HasManyZerosOfListsButNoGain)
 TEST(CoherenceMap, OfASphereIsWhiteInsideAndDarkerAtItsRim)
 {
     BakeOptions options;
-    options.maps = 256, options.resolution = 32, options.codec = ShadowCodec::segments, options.margin = 0;
+    options.maps = 256, options.resolution = 64, options.codec = ShadowCodec::segments, options.margin = 0;
     const ShadowMaps maps = bake_shadow_maps(make_shape({.name = "sphere", .triangles = 2000}).mesh, options);
     const Image image = coherence_map(run_counts(maps), maps.info());
-    ASSERT_EQ(image.size(), ivec2(32));
-    EXPECT_EQ(*image.at(16, 16), 1);
+    ASSERT_EQ(image.size(), ivec2(64));
+    EXPECT_EQ(*image.at(32, 32), 1);
     EXPECT_EQ(*image.at(0, 0), 1) << "a corner sees the background alone";
     float darkest = 1;
     for (const float sample : image.samples)
         darkest = std::min(darkest, sample);
     EXPECT_LT(darkest, 0.9f);
-    for (int y = 8; y < 24; ++y)
-        for (int x = 8; x < 24; ++x)
+    for (int y = 16; y < 48; ++y)
+        for (int x = 16; x < 48; ++x)
             EXPECT_EQ(*image.at(x, y), 1);
 }
 
