@@ -15,6 +15,10 @@ namespace {
 struct ShadowBench {
     std::vector<std::string> models;
     std::vector<int> maps, resolutions;
+
+    int finest() const { return resolutions.back(); }
+    int middle() const { return resolutions[resolutions.size() / 2]; }
+    int some_maps() const { return maps[maps.size() / 2]; }
 };
 
 ShadowBench bench_of(const BenchRequest& request)
@@ -46,28 +50,29 @@ struct Tables {
 void add_studies(const ShadowBench& bench, const std::string& name, Tables& tables)
 {
     const ShadowSubject subject = shadow_subject(name);
-    const int finest = bench.resolutions.back(), middle = bench.resolutions[bench.resolutions.size() / 2], some_maps = bench.maps[bench.maps.size() / 2];
+    const int finest = bench.finest(), middle = bench.middle(), some_maps = bench.some_maps();
     add_sizes(subject, bench.maps, finest, tables.sizes);
-    add_orders(subject, 1024, middle, tables.orders);
+    add_orders(subject, some_maps, middle, tables.orders);
     add_resolutions(subject, {some_maps}, bench.resolutions, tables.resolutions);
     add_spreads(subject, bench.maps, middle, tables.spreads);
     add_orientations(subject, some_maps, middle, tables.orientations);
-    add_compressors(subject, 1024, 32, tables.compressors);
+    add_compressors(subject, some_maps, bench.resolutions.front(), tables.compressors);
     add_look_ups(subject, {bench.maps.back()}, finest, tables.look_ups);
 }
 
 std::string text_of(const ShadowBench& bench, const Tables& t)
 {
-    const int finest = bench.resolutions.back(), middle = bench.resolutions[bench.resolutions.size() / 2];
+    const int coarsest = bench.resolutions.front(), middle = bench.middle(), finest = bench.finest();
+    const std::string some_maps = with_thousands(std::size_t(bench.some_maps()));
     return fmt::format(
         "## Shadow maps\n\n`limn bench shadow`, version {}, {}. MB are 2^20 bytes of whole files, ratios are against two layers of floats; \"seed\" is the codec of the "
         "thesis (8 bytes a segment, theta zigzag, square grid, no margin), \"bricks\" the default. Wrong: of places on the object that face a light outside, those whose "
-        "shadow is not that of a ray (100 pictures).\n\n### Sizes, {} x {} texels\n\n{}\n### Orders of maps: MB of the seed's codec, 1,024 maps of {} x {} (beside theta zigzag)\n\n{}\n"
+        "shadow is not that of a ray (100 pictures).\n\n### Sizes, {} x {} texels\n\n{}\n### Orders of maps: MB of the seed's codec, {} maps of {} x {} (beside theta zigzag)\n\n{}\n"
         "### Resolutions\n\n{}\n### Grids of directions: MB of the seed's codec / wrong (%), {} x {} texels\n\n{}\n### Axis of the poles, and the object turned over: MB / wrong (%)\n\n{}\n"
-        "### Other compressors, beside lists per texel: 1,024 maps of 32 x 32\n\nk-means has a quarter as many clusters as there are maps.\n\n{}\n"
+        "### Other compressors, beside lists per texel: {} maps of {} x {}\n\nk-means has a quarter as many clusters as there are maps.\n\n{}\n"
         "### Look-ups on the object, incoherent, one thread\n\nProcessor time. Rays are Embree's `rtcOccluded1`; lists and bricks are read many at once.\n\n{}",
-        LIMN_VERSION, machine_name(), finest, finest, t.sizes.text(), middle, middle, t.orders.text(), t.resolutions.text(), middle, middle, t.spreads.text(),
-        t.orientations.text(), t.compressors.text(), t.look_ups.text());
+        LIMN_VERSION, machine_name(), finest, finest, t.sizes.text(), some_maps, middle, middle, t.orders.text(), t.resolutions.text(), middle, middle, t.spreads.text(),
+        t.orientations.text(), some_maps, coarsest, coarsest, t.compressors.text(), t.look_ups.text());
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "shadow_studies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 

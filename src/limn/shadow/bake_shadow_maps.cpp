@@ -14,7 +14,7 @@ namespace limn {
 namespace {
 
 constexpr double most_margin = 0.49;
-constexpr int least_oblong = 64; ///< maps of an oblong grid: fewer are too far apart along phi
+constexpr double least_across = 32; ///< cells along phi of an oblong grid: with fewer, maps are too far apart (docs/shadow.md)
 
 void check(const BakeOptions& options)
 {
@@ -114,9 +114,9 @@ DirectionGrid bake_grid(const BakeOptions& options)
         return {options.spread, options.cells};
     const double side = std::sqrt(double(options.maps));
     const auto to_nearest = [](double wanted, int unit) { return std::max(1, int(std::lround(wanted / unit))) * unit; };
-    if (options.codec != ShadowCodec::bricks || options.spread == DirectionSpread::octahedral || options.maps < least_oblong)
+    if (options.codec != ShadowCodec::bricks || options.spread == DirectionSpread::octahedral || side <= least_across)
         return {options.spread, {to_nearest(side, 1), to_nearest(side, 1)}};
-    const int across = to_nearest(side / 2, brick_t);
+    const int across = to_nearest(std::max(side / 2, least_across), brick_t);
     return {options.spread, {std::min(to_nearest(double(options.maps) / across, brick_s), int(most_maps) / across), across}};
 }
 
