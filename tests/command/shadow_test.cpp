@@ -101,8 +101,8 @@ TEST_F(ShadowCommand, RefusesFilesThatAreNotWhole)
 TEST_F(ShadowCommand, RefusesWhatItCannotBake)
 {
     const std::string to = " -o " + path("a.csm");
-    expect_refusal("bake " + torus() + to + " --maps 0", 2, "limn shadow bake: --maps: 0 is outside 1..1048576");
-    expect_refusal("bake " + torus() + to + " --resolution 5000", 2, "limn shadow bake: --resolution: 5000 is outside 1..4096");
+    expect_refusal("bake " + torus() + to + " --maps 0", 2, "limn shadow bake: --maps: 0 is outside 1..1048576 (a whole number)");
+    expect_refusal("bake " + torus() + to + " --resolution 5000", 2, "limn shadow bake: --resolution: 5000 is outside 1..4096 (a whole number)");
     expect_refusal("bake " + torus() + to + " --cells 64", 2, "limn shadow bake: --cells: '64' is no SxT, such as 114x36");
     expect_refusal("bake " + torus() + to + " --cells 4096x4096", 2, "limn shadow bake: --cells: 4096 x 4096 are more than 1048576 maps");
     expect_refusal("bake " + torus() + to + " --order hilbert", 2, "limn shadow bake: --order: bricks of maps have none; say --codec seed with it");
