@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "limn/shadow/shadow_maps.h" // before what brings sines of other types along
+
 #include "command/command.h"
 #include "limn/drawing/png.h"
 #include "limn/geometry/read_mesh.h"
-#include "limn/shadow/shadow_maps.h"
 #include "limn/surface/model_samples.h"
 
 namespace limn::test {
@@ -74,7 +75,7 @@ TEST_F(ShadowCommand, ChecksAFileAgainstRays)
     const nlohmann::json report = nlohmann::json::parse(checked.output);
     EXPECT_GT(report["object"]["facing"], 1000);
     EXPECT_LT(report["object"]["percent_of_facing"], 12);
-    EXPECT_LT(report["floor"]["percent"], 5);
+    EXPECT_LT(report["floor"]["percent"], 8);
     EXPECT_NE(limn("shadow check " + csm() + " " + torus() + " --images 5").output.find("% of "), std::string::npos);
 }
 
@@ -120,7 +121,7 @@ TEST_F(ShadowCommand, RefusesWhatItCannotBake)
 TEST_F(ShadowCommand, BakesOneTriangleAndHugeCoordinates)
 {
     write_text(folder_ / "one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    write_text(folder_ / "huge.obj", "v 1e30 0 0\nv -1e30 0 0\nv 0 1e30 0\nv 0 0 1e30\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n");
+    write_text(folder_ / "huge.obj", "v 1e30 0 0\nv -1e30 0 0\nv 0 1e30 0\nv 0 0 1e30\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     write_text(folder_ / "nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 nan\nf 1 2 3\nf 1 2 4\n");
     for (const std::string name : {"one", "huge", "nan"}) {
         const ProgramResult baked = limn("shadow bake " + path(name + ".obj") + " -o " + path(name + ".csm") + " --maps 64 --resolution 16");
