@@ -107,12 +107,15 @@ FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const i
         float v = 2.0f * blurred_pulse(0.5f * at.y, -0.5f * m, m, along_v) - level;
         over = crossing > 1e-6f ? clamp(0.5f + 0.5f * u * v / crossing, 0.0f, 1.0f) : 0.5f;
     }
+    ThreadPattern seen = c; // what the sphere turns within the kernel widens highlights
+    float turn = (kernel == KERNEL_GAUSS ? width * width : width * width / 12.0f) * 0.5f * (dot(p.right, p.right) + dot(p.down, p.down));
+    seen.exponent = c.exponent / (1.0f + c.exponent * min(turn, 1.0f));
     float level_share = level - crossing * (1.0f - over);
     float upright_share = upright - crossing * over;
     vec3 sum = vec3(0.0f, 0.0f, 0.0f);
     if (level_share > 1e-4f)
-        sum = level_share * thread_lit(c, level_tangent(n), p.normal, p.to_eye, lit);
+        sum = level_share * thread_lit(seen, level_tangent(n), p.normal, p.to_eye, lit);
     if (upright_share > 1e-4f)
-        sum = sum + upright_share * thread_lit(c, upright_tangent(n), p.normal, p.to_eye, lit);
+        sum = sum + upright_share * thread_lit(seen, upright_tangent(n), p.normal, p.to_eye, lit);
     return vec4(sum, level_share + upright_share);
 }
