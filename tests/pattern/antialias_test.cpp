@@ -107,7 +107,7 @@ std::vector<Case> cases(double period)
     const float unit = float(period * 2.68 / edge); // the picture shows so much at the middle
     const BrickShader bricks = {{vec3(1.5f * unit, unit, unit), 0.12f * unit, 2, vec3(0.03f), vec3(0.5f, 0.2f, 0.1f), vec3(0.7f), 0}, {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}, light()};
     const float cell = 1 / std::round(6.2831853f / unit); // of the way around: whole cells
-    const ThreadShader thread = {{0.6f * cell, 0.4f * cell, vec3(0.2f, 0.35f, 0.6f), 0.3f, 30, -1, 1, 0}, light(), vec3(0, 0, -1), 1};
+    const ThreadShader thread = {{0.6f * cell, 0.4f * cell, vec3(0.2f, 0.35f, 0.6f), 0.2f, 8, -1, 1, 0}, light(), vec3(0, 0, -1), 1};
     LayerShader seed = {{LAYERS_SEED, {0, 1, 0}, 0, 0.2f, 0.5f, 0}, {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 0, 0, 0}, light(), LayerStack(double(unit), -20)};
     LayerShader slope = seed, bead = seed;
     slope.pattern.model = LAYERS_SLOPE;
@@ -176,7 +176,7 @@ TEST(Checklist26, MoreSamplesOfTheSeedComeNearerToTheReference)
 {
     const Spots spots;
     const std::vector<vec2> many = stratified_samples(32, KERNEL_BOX, 2, 1);
-    for (const Case& c : cases(4)) {
+    for (const Case& c : cases(6)) {
         const auto sampled = [&](std::span<const vec2> samples) { return picture(spots, c.sphere, [&](const PatternSpot& s, const vec2& p) { return c.sampled(spots.camera, s, p, samples); }); };
         const std::vector<double> reference = sampled(many);
         double last = 1e30;
