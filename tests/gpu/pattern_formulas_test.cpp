@@ -146,12 +146,14 @@ const Formula formulas_of_patterns[] = {
          r[0] = d.x; r[1] = d.y; r[2] = d.z; r[3] = steep < 0.05f ? 0.0f : m.x; r[4] = meet_sphere(d, d * 3.0f + 0.5f * t, 1.0f, k.w > 0.5f); s[3] = 10.0f / (steep * steep); s[4] = 10.0f;),
     BOTH("mortar_part, brick_place, brick_mask, bevels", BrickPattern b = wall(3, k); vec3 at = brick_place(b, vec3(x.x, x.y, x.z)); r[0] = mortar_part(b).y; r[1] = at.x; r[2] = brick_mask(b, vec3(x.x, x.y, x.z));
          r[3] = bevel(0.2f, k.x); r[4] = bevel_slope(0.2f, k.x); r[5] = bevel_difference(0.2f, k.y, 0.05f); s[1] = 20.0f; s[4] = 20.0f; s[5] = 40.0f;),
-    BOTH("bumped, bump_gradient, brick_gradient, brick_colour, ramp_height", BrickPattern b = wall(2, k); vec3 g = brick_gradient(b, vec3(x.x, x.y, x.z)); vec3 h = bump_gradient(b, l, v); r[0] = bumped(n, 2.0f * l).x;
-         r[1] = g.x; r[2] = g.y; r[3] = h.z; r[4] = brick_colour(b, vec3(x.x, x.y, x.z) * 10.0f, k.x).x; r[5] = ramp_height(k.x); s[0] = 10.0f; s[1] = 40.0f; s[2] = 40.0f;),
-    BOTH("brick_at, brick_axis, brick_states, bricks_through", PatternPoint p = spot(n, v, t, x, k); Lighting lit = lights(l, k); BrickPattern b = wall(3, k); Finish f = plastic(FINISH_MATTE, k);
-         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxis a = brick_axis(x.x, 0.1f, 1.0f, g); BrickAxis c = brick_axis(0.5f * x.y, 0.1f, 0.5f, g);
-         r[0] = brick_at(b, f, p.position, p.normal, v, lit).x; r[1] = a.weight[0] + c.weight[2]; r[2] = a.weight[1] * a.middle[1]; r[3] = brick_states(b, f, p, a, c, a, b.brick, lit).x;
-         r[4] = bricks_through(b, f, p, KERNEL_GAUSS, 0.5f, lit).x; r[5] = bricks_through(b, f, p, KERNEL_BOX, 2.0f, lit).y; s[0] = 40.0f; s[1] = 2.0f; s[2] = 10.0f; s[3] = 40.0f; s[4] = 10.0f; s[5] = 10.0f;),
+    BOTH("bumped, bump_gradient, brick_gradient, brick_colour", BrickPattern b = wall(2, k); vec3 g = brick_gradient(b, vec3(x.x, x.y, x.z)); vec3 h = bump_gradient(b, l, v); r[0] = bumped(n, 2.0f * l).x;
+         r[1] = g.x; r[2] = g.y; r[3] = h.z; r[4] = brick_colour(b, vec3(x.x, x.y, x.z) * 10.0f, k.x).x; s[0] = 10.0f; s[1] = 40.0f; s[2] = 40.0f;),
+    BOTH("brick_at, brick_axis, brick_shares, ramps, bricks_through", PatternPoint p = spot(n, v, t, x, k); Lighting lit = lights(l, k); BrickPattern b = wall(3, k); Finish f = plastic(FINISH_MATTE, k);
+         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxis a = brick_axis_at(x.x, 0.1f, g);
+         BrickAxis c = brick_axis(blurred_saw(x.y, g), blurred_saw(x.y - 0.05f, g), blurred_saw(x.y - 0.45f, g), blurred_saw(x.y - 0.5f, g), 0.1f, 0.5f, g); vec3 places = vec3(k.x, k.y, k.z);
+         r[0] = brick_at(b, f, p.position, p.normal, v, lit).x + slope_light(x.x, vec2(k.x, k.y), vec2(k.z, k.w), k.x).x + ramp_light(6.0f * x.x, k.x, 0.3f * k.y, vec2(k.x, k.y), vec2(k.z, k.w), 0.5f).y; r[1] = a.weight[0] + c.weight[2] + brick_shares(b, p, KERNEL_GAUSS, 0.5f).wide; r[2] = a.weight[0] * a.middle[0] + ramp_height(k.x, 0) + ramp_slope(k.x, 0.1f, 2);
+         r[3] = ramp_radiance(b, f, p, t, 0, 1, 2, places, lit).x + ramp_mean(b, f, p, t, 0, 1, 1, places, 0.2f, lit).y; r[4] = bricks_through(b, f, p, KERNEL_GAUSS, 0.5f, lit).x;
+         r[5] = bricks_through(wall(2, k), plastic(FINISH_GGX, k), p, KERNEL_BOX, 2.0f, lit).y; s[0] = 40.0f; s[1] = 2.0f; s[2] = 20.0f; s[3] = 40.0f; s[4] = 40.0f; s[5] = 40.0f;),
     BOTH("sphere_place, sphere_change, tangents", vec2 at = sphere_place(n); vec2 c = sphere_change(n, l); float across = n.x * n.x + n.z * n.z; r[0] = abs(n.y) > 0.99f || abs(n.x) < 1e-3f ? 0.0f : at.x; r[1] = abs(n.y) > 0.99f ? 0.0f : at.y;
          r[2] = across < 0.01f ? 0.0f : c.x; r[3] = across < 0.01f ? 0.0f : c.y; r[4] = level_tangent(n).x; r[5] = upright_tangent(n).y; s[0] = 5.0f; s[1] = 50.0f; s[2] = 100.0f; s[3] = 20.0f;),
     BOTH("thread_part, thread_mask, thread_lit, thread_at", ThreadPattern c = cloth(1, k); Lighting lit = lights(l, k); vec2 at = sphere_place(n) / 0.1f; vec2 near = abs(fract(at) - vec2(0.5f, 0.5f)); vec2 off = abs(near - vec2(0.3f, 0.3f));
