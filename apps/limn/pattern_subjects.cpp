@@ -55,7 +55,7 @@ vec4 by_derivatives(const ThreadShader& s, const PatternPoint& p)
     const float cell = s.pattern.hole + s.pattern.thread, m = thread_part(s.pattern);
     const vec2 at = sphere_place(n) / cell, right = sphere_change(n, p.right / s.radius) / cell, down = sphere_change(n, p.down / s.radius) / cell;
     const float upright = derivative_pulse(at.x, -m, 2 * m, {right.x, down.x}), level = derivative_pulse(at.y, -m, 2 * m, {right.y, down.y});
-    const Lighting lit = s.light.at(p.position);
+    const Illumination lit = s.light.at(p.position);
     const vec3 colour = level * thread_lit(s.pattern, level_tangent(n), n, p.to_eye, lit) + (1 - level) * upright * thread_lit(s.pattern, upright_tangent(n), n, p.to_eye, lit);
     return vec4(colour, level + (1 - level) * upright);
 }
@@ -70,7 +70,7 @@ vec4 by_derivatives(const LayerShader& s, const PatternPoint& p)
     const bool slope = s.pattern.model == LAYERS_SLOPE;
     const float share = slope ? tread_share(glm::dot(p.normal, s.pattern.up), eye_up, glm::dot(p.normal, p.to_eye)) : std::abs(eye_up);
     const float treads = derivative_pulse(place.at, slope ? -0.5f * share : eye_up > 0 ? 0 : 1 - share, share, place.change);
-    const Lighting lit = s.light.at(p.position);
+    const Illumination lit = s.light.at(p.position);
     return vec4(treads * layer_state(s.pattern, s.finish, p, 1, 0, lit) + (1 - treads) * layer_state(s.pattern, s.finish, p, 0, 0, lit), 1);
 }
 

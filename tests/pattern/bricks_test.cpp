@@ -136,7 +136,7 @@ TEST(Bricks, MatteOnesLookAsThoseWithAHighlightOfNoStrength)
         const vec3 n = i % 3 == 0 ? vec3(0, 0, 1) : direction();
         const float size = std::exp(number(4));
         const PatternPoint p = {{number(2), number(2), number(2)}, n, n, size * 0.1f * vec3(number(1), number(1), number(1)), size * 0.1f * vec3(number(1), number(1), number(1))};
-        const Lighting lit = {direction(), vec3(2), 0, direction(), vec3(0.5f), vec3(0.1f)};
+        const Illumination lit = {direction(), vec3(2), 0, direction(), vec3(0.5f), vec3(0.1f)};
         const vec3 matte = bricks_through(b, {FINISH_MATTE, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit), phong = bricks_through(b, {FINISH_PHONG, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit);
         EXPECT_LT(glm::length(matte - phong), 2e-4f);
     }

@@ -50,7 +50,7 @@ TEST(Checklist5, PointLightsFallOffWithTheSquareOrSofter)
 {
     EXPECT_FLOAT_EQ(point_falloff(1, {0, 0, 1}) / point_falloff(2, {0, 0, 1}), 4);
     EXPECT_FLOAT_EQ(point_falloff(2, {1, 2, 3}), 1.0f / 17);
-    const Lighting lit = lit_by_point({}, vec3(0, 0, 4), vec3(8), vec3(0, 0, 1), vec3(0, 0, 2));
+    const Illumination lit = lit_by_point({}, vec3(0, 0, 4), vec3(8), vec3(0, 0, 1), vec3(0, 0, 2));
     EXPECT_EQ(lit.to_light, vec3(0, 0, 1));
     EXPECT_FLOAT_EQ(lit.light.x, 2);
 }

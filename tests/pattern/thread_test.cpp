@@ -51,7 +51,7 @@ TEST(Checklist16, HolesThreadsAndCrossingsHaveTheirShares)
     EXPECT_NEAR(hole / 1e6, 0.36, 0.003);
     EXPECT_NEAR(crossing / 1e6, 0.16, 0.003);
     EXPECT_NEAR(1 - (hole + crossing) / 1e6, 0.48, 0.003);
-    const Lighting lit = {{0, 0, 1}, vec3(1), 0, {0, 1, 0}, vec3(1), vec3(1)};
+    const Illumination lit = {{0, 0, 1}, vec3(1), 0, {0, 1, 0}, vec3(1), vec3(1)};
     const vec3 n_hole = glm::normalize(vec3(std::sin(6.2831853f * 0.0025f), 0, std::cos(6.2831853f * 0.0025f))) * 1.0f;
     const vec3 lowered = glm::normalize(n_hole - vec3(0, std::tan(3.14159265f * 0.0025f), 0));
     EXPECT_EQ(thread_at(c, lowered, lowered, {0, 0, 1}, lit).w, 0.0f);

@@ -91,7 +91,7 @@ FORMULA vec3 brick_colour(const BrickPattern b, const vec3 place, const float fa
 }
 
 // Radiance of a point without any filter.
-FORMULA vec3 brick_at(const BrickPattern b, const Finish f, const vec3 p, const vec3 n, const vec3 to_eye, const Lighting lit)
+FORMULA vec3 brick_at(const BrickPattern b, const Finish f, const vec3 p, const vec3 n, const vec3 to_eye, const Illumination lit)
 {
     Finish own = f;
     own.colour = brick_mask(b, p) > 0.5f ? brick_colour(b, brick_place(b, p), 1.0f) : b.mortar;
@@ -146,7 +146,7 @@ FORMULA float ramp_slope(const float q, const float m, const int side)
 }
 
 // Radiance of mortar at places q of the ramps on three axes.
-FORMULA vec3 ramp_radiance(const BrickPattern b, const Finish mortar, const PatternPoint p, const vec3 t, const int i, const int j, const int l, const vec3 q, const Lighting lit)
+FORMULA vec3 ramp_radiance(const BrickPattern b, const Finish mortar, const PatternPoint p, const vec3 t, const int i, const int j, const int l, const vec3 q, const Illumination lit)
 {
     vec3 m = mortar_part(b);
     vec3 height = vec3(ramp_height(q.x, i), ramp_height(q.y, j), ramp_height(q.z, l));
@@ -155,7 +155,7 @@ FORMULA vec3 ramp_radiance(const BrickPattern b, const Finish mortar, const Patt
 }
 
 // The same over a kernel that sees a stretch of one ramp: places as Gauss's rule has them. Both ends of a whole ramp are alike.
-FORMULA vec3 ramp_mean(const BrickPattern b, const Finish mortar, const PatternPoint p, const vec3 t, const int i, const int j, const int l, const vec3 q, const float spread, const Lighting lit)
+FORMULA vec3 ramp_mean(const BrickPattern b, const Finish mortar, const PatternPoint p, const vec3 t, const int i, const int j, const int l, const vec3 q, const float spread, const Illumination lit)
 {
     vec3 centre = ramp_radiance(b, mortar, p, t, i, j, l, q, lit);
     if (spread < 0.06f)
@@ -233,7 +233,7 @@ FORMULA BrickShares brick_shares(const BrickPattern b, const PatternPoint p, con
 }
 
 // Radiance of a pixel through a kernel so wide: every state of the surface is shaded and weighted with its share of the kernel.
-FORMULA vec3 bricks_through(const BrickPattern b, const Finish f, const PatternPoint p, const int kernel, const float width, const Lighting lit)
+FORMULA vec3 bricks_through(const BrickPattern b, const Finish f, const PatternPoint p, const int kernel, const float width, const Illumination lit)
 {
     if (kernel == KERNEL_NONE)
         return brick_at(b, f, p.position, p.normal, p.to_eye, lit);
