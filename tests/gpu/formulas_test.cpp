@@ -469,6 +469,10 @@ TEST_F(GpuFormulas, AreAllCompared)
     std::string bodies = "radial_terms("; // every body starts from them
     for (const Formula& formula : formulas_of_the_library)
         bodies += formula.body;
+    // Families with a test of their own.
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIMN_FORMULAS) / "../../../tests/gpu"))
+        if (entry.path().filename().string().ends_with("_formulas_test.cpp"))
+            bodies += read_text(entry.path());
     int found = 0;
     for (const auto& entry : std::filesystem::directory_iterator(LIMN_FORMULAS)) {
         const std::string text = read_text(entry.path());

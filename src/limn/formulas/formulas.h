@@ -16,21 +16,31 @@
 namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/apparent_ridge.glsl"
+#include "limn/formulas/brdf.glsl"
+#include "limn/formulas/bricks.glsl"
 #include "limn/formulas/crease_outline.glsl"
 #include "limn/formulas/direction_grid.glsl"
 #include "limn/formulas/edge_zero.glsl"
 #include "limn/formulas/hermite_edge.glsl"
+#include "limn/formulas/irradiance.glsl"
+#include "limn/formulas/lcg.glsl"
 #include "limn/formulas/map_rank.glsl"
 #include "limn/formulas/normal_map.glsl"
+#include "limn/formulas/pattern_point.glsl"
+#include "limn/formulas/periodic_blur.glsl"
+#include "limn/formulas/print_layers.glsl"
+#include "limn/formulas/pulse.glsl"
 #include "limn/formulas/radial_curvature.glsl"
 #include "limn/formulas/shader_lines.glsl"
 #include "limn/formulas/shading.glsl"
 #include "limn/formulas/shadow_lookup.glsl"
 #include "limn/formulas/sobel.glsl"
 #include "limn/formulas/suggestive_line.glsl"
+#include "limn/formulas/supersampling.glsl"
 #include "limn/formulas/terrain_bound.glsl"
 #include "limn/formulas/terrain_error.glsl"
 #include "limn/formulas/texture_lines.glsl"
+#include "limn/formulas/thread.glsl"
 } // namespace limn::formulas
 
 #undef FORMULA

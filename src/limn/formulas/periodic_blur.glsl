@@ -1,0 +1,169 @@
+// Periodic functions seen through the kernel of a pixel, in closed form. Everything is put together from two functions of period 1 and mean
+// 0: a saw, x - 1/2, and the parabola x^2 - x + 1/6 whose slope is twice the saw (Bernoulli's polynomials). Since they stay bounded, wide
+// kernels cancel no digits; narrow ones meet one tooth.
+#pragma once
+
+const int KERNEL_NONE = 0;  // what is at the pixel's centre
+const int KERNEL_BOX = 1;   // a square of so many pixels
+const int KERNEL_GAUSS = 2; // round, of so many pixels' standard deviation
+
+// A kernel along a coordinate that counts periods.
+struct Blur {
+    int kernel;
+    float a; // box: changes across the square, the larger first; Gauss: standard deviation; periods
+    float b;
+};
+
+// How a kernel of a width in pixels smears a coordinate that changes so much for each pixel to the right and down.
+FORMULA Blur blur_along(const int kernel, const float width, const vec2 per_pixel)
+{
+    vec2 s = min(abs(per_pixel) * width, vec2(1e4f, 1e4f));
+    Blur blur = {kernel, max(s.x, s.y), min(s.x, s.y)};
+    if (kernel == KERNEL_GAUSS) {
+        blur.a = sqrt(dot(s, s));
+        blur.b = 0.0f;
+    }
+    if (blur.a < 1e-5f)
+        blur.kernel = KERNEL_NONE;
+    return blur;
+}
+
+// Variance of the kernel, periods squared.
+FORMULA float blur_variance(const Blur blur)
+{
+    if (blur.kernel == KERNEL_NONE)
+        return 0.0f;
+    return blur.kernel == KERNEL_GAUSS ? blur.a * blur.a : (blur.a * blur.a + blur.b * blur.b) / 12.0f;
+}
+
+FORMULA vec2 sharp_saw(const float x)
+{
+    float f = x - floor(x);
+    return vec2(f - 0.5f, (f - 1.0f) * f + 1.0f / 6.0f);
+}
+
+// A Gauss kernel and the one tooth that it meets: Abramowitz and Stegun 26.2.17 for the normal distribution.
+FORMULA vec2 narrow_gauss_saw(const float x, const float sigma)
+{
+    float off = x - floor(x + 0.5f);
+    float z = abs(off) / sigma;
+    float density = 0.398942280f * exp(-0.5f * z * z);
+    float t = 1.0f / (1.0f + 0.2316419f * z);
+    float tail = density * t * (0.319381530f + t * (-0.356563782f + t * (1.781477937f + t * (-1.821255978f + t * 1.330274429f))));
+    float below = off < 0.0f ? tail : 1.0f - tail;
+    float distance_mean = abs(off) * (1.0f - 2.0f * tail) + 2.0f * sigma * density;
+    return vec2(off + 0.5f - below, off * off + sigma * sigma + 1.0f / 6.0f - distance_mean);
+}
+
+// The Fourier series, of which a wide kernel leaves few terms.
+FORMULA vec2 wide_gauss_saw(const float x, const float sigma)
+{
+    float turn = 6.28318530718f * (x - floor(x));
+    float s1 = sin(turn);
+    float c1 = cos(turn);
+    float q = exp(-19.7392088022f * sigma * sigma);
+    float q2 = q * q;
+    float s = s1; // of k turns
+    float c = c1;
+    float fade = q;  // q^(k k)
+    float step_of_fade = q * q2;
+    vec2 sum = vec2(0.0f, 0.0f);
+    for (int k = 1; k <= 6; ++k) {
+        if (fade < 1e-7f)
+            break;
+        float kk = float(k);
+        sum = sum + vec2(-s / (3.14159265359f * kk), c / (9.86960440109f * kk * kk)) * fade;
+        float next = s * c1 + c * s1;
+        c = c * c1 - s * s1;
+        s = next;
+        fade = fade * step_of_fade;
+        step_of_fade = step_of_fade * q2;
+    }
+    return sum;
+}
+
+// A square whose sides change x by a >= b, a + b <= 1, and the one tooth that it meets.
+FORMULA vec2 narrow_box_saw(const float x, const float a, const float b)
+{
+    float off = x - floor(x + 0.5f);
+    float t = abs(off);
+    float outer = 0.5f * (a + b);
+    float inner = 0.5f * (a - b);
+    float above = 1.0f; // share of the square on this side of the tooth
+    float distance_mean = t;
+    if (t <= inner) {
+        above = 0.5f + t / a;
+        distance_mean = (t * t - inner * inner + b * b / 3.0f) / a + inner;
+    } else if (t < outer) {
+        float rest = outer - t;
+        above = 1.0f - 0.5f * rest * rest / (a * b);
+        distance_mean = t + rest * rest * rest / (3.0f * a * b);
+    }
+    float below = off < 0.0f ? 1.0f - above : above;
+    return vec2(off + 0.5f - below, off * off + (a * a + b * b) / 12.0f + 1.0f / 6.0f - distance_mean);
+}
+
+// The third and fourth polynomials as the second integrals of saw and parabola.
+FORMULA vec2 saw_integral_2(const float x)
+{
+    float f = x - floor(x);
+    return vec2(((f - 1.5f) * f + 0.5f) * f / 6.0f, (((f - 2.0f) * f + 1.0f) * f * f - 1.0f / 30.0f) / 12.0f);
+}
+
+// A square whose sides change x by a >= b, a + b > 1.
+FORMULA vec2 wide_box_saw(const float x, const float a, const float b)
+{
+    if (b < 1e-3f) { // too narrow to tell its sides apart
+        vec2 before = sharp_saw(x - 0.5f * a);
+        vec2 after = sharp_saw(x + 0.5f * a);
+        float cube_before = 6.0f * saw_integral_2(x - 0.5f * a).x;
+        float cube_after = 6.0f * saw_integral_2(x + 0.5f * a).x;
+        return vec2((after.y - before.y) / (2.0f * a), (cube_after - cube_before) / (3.0f * a));
+    }
+    float outer = 0.5f * (a + b);
+    float inner = 0.5f * (a - b);
+    return (saw_integral_2(x + outer) - saw_integral_2(x + inner) - saw_integral_2(x - inner) + saw_integral_2(x - outer)) / (a * b);
+}
+
+// Saw and parabola at x through the kernel.
+FORMULA vec2 blurred_saw(const float x, const Blur blur)
+{
+    if (blur.kernel == KERNEL_NONE)
+        return sharp_saw(x);
+    if (blur.kernel == KERNEL_GAUSS)
+        return blur.a <= 0.125f ? narrow_gauss_saw(x, blur.a) : wide_gauss_saw(x, blur.a);
+    return blur.a + blur.b <= 1.0f ? narrow_box_saw(x, blur.a, blur.b) : wide_box_saw(x, blur.a, blur.b);
+}
+
+// How much of the kernel at x lies where the phase is within `length` after `start`, in every period.
+FORMULA float blurred_pulse(const float x, const float start, const float length_of, const Blur blur)
+{
+    if (length_of <= 0.0f || length_of >= 1.0f)
+        return length_of <= 0.0f ? 0.0f : 1.0f;
+    float from = x - start;
+    if (blur.kernel == KERNEL_NONE)
+        return from - floor(from) < length_of ? 1.0f : 0.0f;
+    return clamp(length_of + blurred_saw(from - length_of, blur).x - blurred_saw(from, blur).x, 0.0f, 1.0f);
+}
+
+// A stretch of the phase under a kernel.
+struct Stretch {
+    float weight; // how much of the kernel is in it, in [0,1]
+    float middle; // where that is on average, from the stretch's centre
+    float spread; // standard deviation about there
+};
+
+// From the blurred saws at its two ends.
+FORMULA Stretch stretch_under(const vec2 at_start, const vec2 at_end, const float length_of, const Blur blur)
+{
+    Stretch s = {clamp(length_of + at_end.x - at_start.x, 0.0f, 1.0f), 0.0f, 0.0f};
+    if (length_of <= 0.0f || s.weight < 1e-5f) {
+        s.weight = 0.0f;
+        return s;
+    }
+    float moment = 0.5f * (length_of * (at_start.x + at_end.x) + at_end.y - at_start.y);
+    s.middle = clamp(moment / s.weight, -0.5f * length_of, 0.5f * length_of);
+    float variance = blur_variance(blur);
+    s.spread = sqrt(variance / (1.0f + 12.0f * variance / (length_of * length_of)));
+    return s;
+}

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+
+#include "limn/formulas/formulas.h"
+#include "limn/pattern/layer_stack.h"
+#include "limn/pattern/pattern_camera.h"
+
+namespace limn {
+
+/// The light of a pattern, in its frame: from far away, or from a place.
+struct PatternLight {
+    formulas::Lighting lighting;      ///< of a light far away; the surroundings
+    std::optional<vec3> place;        ///< of a point light
+    vec3 intensity = vec3(0);         ///< of it, W/sr
+    vec3 falloff = vec3(0, 0, 1);     ///< of it: 1 / (a + b d + c d^2)
+
+    formulas::Lighting at(const vec3& position) const
+    {
+        return place ? formulas::lit_by_point(lighting, *place, intensity, falloff, position) : lighting;
+    }
+};
+
+/// Bricks; the frame's axes are those of the wall.
+struct BrickShader {
+    formulas::BrickPattern pattern;
+    formulas::Finish finish;
+    PatternLight light;
+
+    vec4 at(const formulas::PatternPoint& p, int kernel, float width) const
+    {
+        return vec4(formulas::bricks_through(pattern, finish, p, kernel, width, light.at(p.position)), 1);
+    }
+};
+
+/// Cloth around a sphere; the axis is the frame's y. Opacity is 0 in holes, and colours are multiplied with it.
+struct ThreadShader {
+    formulas::ThreadPattern pattern;
+    PatternLight light;
+    vec3 centre = vec3(0);
+    float radius = 1;
+
+    vec4 at(const formulas::PatternPoint& p, int kernel, float width) const
+    {
+        formulas::PatternPoint on = p;
+        on.position = glm::normalize(p.position - centre);
+        on.right = p.right / radius;
+        on.down = p.down / radius;
+        on.normal = glm::dot(on.position, p.to_eye) < 0 ? -on.position : on.position; // of the side that is seen
+        return formulas::thread_through(pattern, on, kernel, width, light.at(p.position));
+    }
+};
+
+/// Layers of a print.
+struct LayerShader {
+    formulas::LayerPattern pattern;
+    formulas::Finish finish;
+    PatternLight light;
+    LayerStack stack;
+
+    vec4 at(const formulas::PatternPoint& p, int kernel, float width) const
+    {
+        const vec2 change = formulas::change_per_pixel(p, pattern.up);
+        return vec4(formulas::layers_through(pattern, finish, p, stack.place(glm::dot(p.position, pattern.up), change, width), kernel, width, light.at(p.position)), 1);
+    }
+};
+
+} // namespace limn
