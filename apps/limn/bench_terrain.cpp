@@ -9,8 +9,11 @@
 #include "bench_table.h"
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/terrain/build_pyramid.h"
 #include "limn/terrain/read_height_map.h"
 #include "limn/terrain/terrain_samples.h"
+#include "scratch_folder.h"
+#include "seed_frames.h"
 #include "terrain_counts.h"
 #include "terrain_frames.h"
 
@@ -73,7 +76,8 @@ struct Tables {
     MarkdownTable times = MarkdownTable({"map", "bound (m)", "strict", "delaunay", "inserted", "delatin", "delaunay/delatin", "inserted/delatin", "martini that holds it", "strict/martini"});
     MarkdownTable set_up = MarkdownTable({"map", "strict", "martini", "strict/martini", "RTIN by brute force"});
     MarkdownTable prepared = MarkdownTable({"samples", "threads", "errors", "errors and ranges", "M samples/s", "triangles", "found", "made a mesh"});
-    MarkdownTable flight = MarkdownTable({"bound (px)", "threads", "triangles", "come or go", "update", "95 of 100", "worst", "from nothing", "mesh", "morphed mesh"});
+    MarkdownTable flight = MarkdownTable({"bound (px)", "threads", "triangles", "come or go", "update", "95 of 100", "worst", "of tiles", "95 of 100 of these", "from nothing", "mesh", "morphed mesh"});
+    MarkdownTable seed = MarkdownTable({"threads", "triangles", "smoothed", "steps", "mark passes", "smooth passes", "test", "mark", "split", "mesh", "smooth", "frame", "worst", "frames/s", "threads' gain", "strict triangles", "strict", "frame/strict"});
     double worst_share = 0; ///< the greatest distance of a sample in parts of its bound, in strict and delaunay meshes
 };
 
@@ -125,12 +129,29 @@ void add_flight(const TerrainBench& bench, MarkdownTable& table)
 {
     const HeightMap map = generated("mountains", int(bench.flight_side()));
     const NestedErrors errors = nest_errors(map, {.ranges = true});
+    const ScratchFolder folder;
+    build_pyramid(rows_of(map), folder / "flight.pyramid");
+    const TerrainPyramid pyramid(folder / "flight.pyramid");
     for (const double bound : flight_bounds)
         for (const int threads : thread_counts()) {
-            const FlightTimes t = with_threads(threads, [&] { return time_flight(map, errors, bound, bench.frames); });
+            const FlightTimes t = with_threads(threads, [&] { return time_flight(map, errors, pyramid, bound, bench.frames); });
             table.add({number_text(bound), std::to_string(threads), count_text(t.leaves), count_text(t.changed), ms_text(t.update), ms_text(t.update_95), ms_text(t.update_worst),
-                       ms_text(t.restart), ms_text(t.mesh), ms_text(t.morphed)});
+                       ms_text(t.tiles), ms_text(t.tiles_95), ms_text(t.restart), ms_text(t.mesh), ms_text(t.morphed)});
         }
+}
+
+void add_seed_flight(const TerrainBench& bench, MarkdownTable& table)
+{
+    const HeightMap map = generated("mountains", int(bench.flight_side()));
+    double one_thread = 0;
+    for (const int threads : thread_counts()) {
+        const SeedFlightTimes t = with_threads(threads, [&] { return time_seed_flight(map, bench.frames); });
+        if (threads == 1)
+            one_thread = t.all;
+        table.add({std::to_string(threads), count_text(t.triangles), count_text(t.smoothed), number_text(t.steps), number_text(t.mark_passes), number_text(t.smooth_passes), ms_text(t.test), ms_text(t.mark),
+                   ms_text(t.split), ms_text(t.mesh), ms_text(t.smooth), ms_text(t.all), ms_text(t.worst), number_text(1e3 / t.mean), one_thread > 0 ? ratio_text(one_thread, t.all) : missing,
+                   count_text(t.strict_triangles), ms_text(t.strict), ratio_text(t.all, t.strict)});
+    }
 }
 
 std::string peers_text(const TerrainPeers& peers)
@@ -153,10 +174,13 @@ std::string bench_text(const TerrainBench& bench, const TerrainPeers& peers, con
         "What is done once, on one thread: the errors of all lattice points:\n\n{}\n"
         "`limn sample terrain` of so many samples: errors once for all bounds (*and ranges*: for pictures), then a mesh of at most {} triangles:\n\n{}\n"
         "A flight at 50 m/s over {} x {} samples, 1920 x 1080 pixels, {} frames of a 60th of a second; how many triangles there are and how many come or go from frame to frame, and how "
-        "long `TerrainView::update` takes; beside it all triangles anew (`triangles_in_view`), their mesh, and the mesh whose vertices move to their places (`morphed_mesh`, from "
-        "nothing):\n\n{}",
+        "long `TerrainView::update` takes; beside it `TerrainPyramidView::update` (*of tiles*, those needed in memory), all triangles anew (`triangles_in_view`), their mesh, and the mesh whose vertices move to their places (`morphed_mesh`, from "
+        "nothing):\n\n{}\n"
+        "Every tenth of these frames as the thesis behind the specification makes them, from nothing: parallel adaptive refinement of what is seen to 1 px from 16 x 16 squares, stage by "
+        "stage (*test* edges, *mark* what has to be split with them, *split*), then vertices and normals (*mesh*), and smoothing to .3 px with half of the tangents; beside it strict triangles "
+        "within 1 px and their mesh, from nothing too:\n\n{}",
         LIMN_VERSION, machine_name(), tbb::this_task_arena::max_concurrency(), bench.runs, peers_text(peers), tables.worst_share, tables.triangles.text(), tables.times.text(),
-        tables.set_up.text(), with_thousands(large_mesh), tables.prepared.text(), bench.flight_side(), bench.flight_side(), bench.frames, tables.flight.text());
+        tables.set_up.text(), with_thousands(large_mesh), tables.prepared.text(), bench.flight_side(), bench.flight_side(), bench.frames, tables.flight.text(), tables.seed.text());
 }
 
 std::string bench_json(const TerrainBench& bench, const Tables& tables)
@@ -172,7 +196,8 @@ std::string bench_json(const TerrainBench& bench, const Tables& tables)
                                          {"mesh_ms", json_of(tables.times)},
                                          {"set_up_ms", json_of(tables.set_up)},
                                          {"prepared_ms", json_of(tables.prepared)},
-                                         {"flight_ms", json_of(tables.flight)}};
+                                         {"flight_ms", json_of(tables.flight)},
+                                         {"seed_ms", json_of(tables.seed)}};
     return json.dump(2) + "\n";
 }
 
@@ -193,5 +218,7 @@ BenchResult bench_terrain(const BenchRequest& request, Console& console)
     }
     console.progress("flight", 0.7);
     add_flight(bench, tables.flight);
+    console.progress("flight, as in the thesis", 0.9);
+    add_seed_flight(bench, tables.seed);
     return {bench_text(bench, peers, tables), bench_json(bench, tables), counted(bench.models.size(), "map")};
 }

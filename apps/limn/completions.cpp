@@ -111,10 +111,13 @@ std::string zsh_branch(const CommandText& command)
     for (const OptionText& option : command.options)
         for (const std::string& name : option.positional ? std::vector<std::string>() : option.names)
             out += " \\\n            " + zsh_option(option, name);
+    const std::vector<std::string> words = argument_words(command);
     for (const OptionText& option : command.options)
         if (option.positional)
             out += fmt::format(" \\\n            '{}:{}:{}'", option.repeated ? "*" : "1", option.names[0],
-                               option.words.empty() ? "_files" : "(" + join(option.words, " ") + ")");
+                               !option.words.empty() ? "(" + join(option.words, " ") + ")"
+                               : words.empty()       ? "_files"
+                                                     : "{compadd -- " + join(words, " ") + "; _files}");
     return out + "\n        ;;\n";
 }
 

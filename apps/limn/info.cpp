@@ -10,6 +10,7 @@
 #include "limn/base/parallel.h"
 #include "limn/geometry/diagnose.h"
 #include "limn/geometry/read_mesh.h"
+#include "pyramid_info.h"
 #include "raster_info.h"
 #include "subcommand.h"
 #include "table_options.h"
@@ -23,6 +24,7 @@ constexpr const char* examples = R"(Examples:
   limn info part.stl --json
   limn info part.stl -o part.txt -o part.json
   limn info terrain.tif
+  limn info country.pyramid
   cat bunny.ply | limn info - --from ply)";
 
 const std::vector<std::string> formats = {"txt", "json"};
@@ -103,6 +105,16 @@ void tell_of_raster(const InfoCommand& command, const std::vector<Output>& outpu
                                seconds_text(watch.total())));
 }
 
+void tell_of_pyramid(const InfoCommand& command, const std::vector<Output>& outputs, Console& console)
+{
+    const Stopwatch watch;
+    const TerrainPyramid pyramid(command.file);
+    tell(command, outputs, pyramid_text(pyramid), pyramid_json(pyramid, command.file, watch.total()));
+    console.finish(fmt::format("read {}{}: {} x {} samples in {}, {}", command.file, end_of_line(command, outputs),
+                               with_thousands(std::size_t(pyramid.frame().columns)), with_thousands(std::size_t(pyramid.frame().rows)),
+                               counted(pyramid.layout().tile_count(), "tile"), seconds_text(watch.total())));
+}
+
 void run(const InfoCommand& command)
 {
     if (command.file.empty())
@@ -110,7 +122,9 @@ void run(const InfoCommand& command)
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     check_cpu_only(command.common, "info");
     Console console(command.common.quiet);
-    if (is_raster(command.file, command.from))
+    if (command.from == "pyramid" || (command.from.empty() && command.file != "-" && is_pyramid_file(command.file)))
+        tell_of_pyramid(command, outputs, console);
+    else if (is_raster(command.file, command.from))
         tell_of_raster(command, outputs, console);
     else
         tell_of_mesh(command, outputs, console);
@@ -121,9 +135,11 @@ void run(const InfoCommand& command)
 Subcommand add_info(CLI::App& limn)
 {
     auto command = std::make_shared<InfoCommand>();
-    CLI::App* app = limn.add_subcommand("info", "Say what a file holds: a mesh, and what is wrong with it, or a raster of heights");
+    CLI::App* app =
+        limn.add_subcommand("info", "Say what a file holds: a mesh, and what is wrong with it, a raster of heights, or a pyramid");
     app->footer(examples);
-    app->add_option("FILE", command->file, "mesh or raster of heights in any format; '-' is standard input");
+    app->add_option("FILE", command->file,
+                    "mesh or raster of heights in any format, or pyramid of 'limn terrain build'; '-' is standard input");
     app->add_option("--from", command->from, "format of the file, whatever its name ends in")->type_name("FORMAT");
     for (const OptionRow<ReadHeightMapOptions>& row : read_height_map_option_table())
         if (row.name != "fill")

@@ -56,43 +56,46 @@ RasterFacts raster_facts(const std::string& file, const ReadHeightMapOptions& op
     return facts;
 }
 
+std::string fact_row(const std::string& name, const std::string& value) { return fmt::format("{:<16}{}\n", name, value); }
+
+std::string map_rows(const HeightMap& frame)
+{
+    return fact_row("columns", std::to_string(frame.columns)) + fact_row("rows", std::to_string(frame.rows)) +
+           fact_row("spacing", fmt::format("{:.8g} x {:.8g} m", frame.spacing.x, frame.spacing.y)) +
+           fact_row("size", fmt::format("{:.6g} x {:.6g} m", (frame.columns - 1) * frame.spacing.x, (frame.rows - 1) * frame.spacing.y)) +
+           fact_row("system", frame.system.empty() ? "none" : frame.system) +
+           fact_row("origin", fmt::format("{:.10g}, {:.10g} (south-western sample)", frame.origin.x, frame.origin.y));
+}
+
+nlohmann::ordered_json map_json(const HeightMap& frame)
+{
+    return {{"columns", frame.columns},
+            {"rows", frame.rows},
+            {"spacing", {frame.spacing.x, frame.spacing.y}},
+            {"system", frame.system},
+            {"origin", {frame.origin.x, frame.origin.y}}};
+}
+
 std::string raster_text(const RasterFacts& facts)
 {
-    const HeightMap& frame = facts.frame;
-    std::string text;
-    const auto row = [&](const char* name, const std::string& value) { text += fmt::format("{:<16}{}\n", name, value); };
-    row("columns", std::to_string(frame.columns));
-    row("rows", std::to_string(frame.rows));
-    row("spacing", fmt::format("{:.8g} x {:.8g} m", frame.spacing.x, frame.spacing.y));
-    row("size", fmt::format("{:.6g} x {:.6g} m", (frame.columns - 1) * frame.spacing.x, (frame.rows - 1) * frame.spacing.y));
-    row("system", frame.system.empty() ? "none" : frame.system);
-    row("origin", fmt::format("{:.10g}, {:.10g} (south-western sample)", frame.origin.x, frame.origin.y));
-    row("heights", facts.has_data() ? fmt::format("{:.7g} to {:.7g} m, mean {:.7g} m", facts.lowest, facts.highest, facts.mean) : "none");
-    row("no data", counted(facts.no_data, "sample") + (facts.infinite > 0 ? fmt::format(", {} of them infinite", facts.infinite) : ""));
+    std::string text = map_rows(facts.frame);
+    text += fact_row("heights",
+                     facts.has_data() ? fmt::format("{:.7g} to {:.7g} m, mean {:.7g} m", facts.lowest, facts.highest, facts.mean) : "none");
+    text += fact_row("no data",
+                     counted(facts.no_data, "sample") + (facts.infinite > 0 ? fmt::format(", {} of them infinite", facts.infinite) : ""));
     for (std::size_t i = 0; i < facts.notes.size(); ++i)
-        row(i == 0 ? "notes" : "", facts.notes[i]);
+        text += fact_row(i == 0 ? "notes" : "", facts.notes[i]);
     return text;
 }
 
 std::string raster_json(const RasterFacts& facts, const std::string& file, double seconds)
 {
-    const HeightMap& frame = facts.frame;
     nlohmann::ordered_json heights; // null where nothing has data
     if (facts.has_data())
         heights = {{"lowest", facts.lowest}, {"highest", facts.highest}, {"mean", facts.mean}};
-    const nlohmann::ordered_json json = {{"limn", LIMN_VERSION},
-                                         {"command", "info"},
-                                         {"file", file},
-                                         {"raster",
-                                          {{"columns", frame.columns},
-                                           {"rows", frame.rows},
-                                           {"spacing", {frame.spacing.x, frame.spacing.y}},
-                                           {"system", frame.system},
-                                           {"origin", {frame.origin.x, frame.origin.y}},
-                                           {"heights", heights},
-                                           {"no_data", facts.no_data},
-                                           {"infinite", facts.infinite},
-                                           {"notes", facts.notes}}},
-                                         {"seconds", {{"read", seconds}}}};
+    nlohmann::ordered_json raster = map_json(facts.frame);
+    raster.update({{"heights", heights}, {"no_data", facts.no_data}, {"infinite", facts.infinite}, {"notes", facts.notes}});
+    const nlohmann::ordered_json json = {
+        {"limn", LIMN_VERSION}, {"command", "info"}, {"file", file}, {"raster", raster}, {"seconds", {{"read", seconds}}}};
     return json.dump(2) + "\n";
 }

@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "limn/terrain/height_raster.h"
 
 /// What a raster of heights holds.
@@ -23,6 +25,12 @@ bool is_raster(const std::string& file, const std::string& from);
 /// @param progress  is told which part is read, in [0,1]
 /// @throws limn::Error::Read as HeightRaster does
 RasterFacts raster_facts(const std::string& file, const limn::ReadHeightMapOptions& options, const std::function<void(double)>& progress);
+
+/// One line of facts.
+std::string fact_row(const std::string& name, const std::string& value);
+/// Of a map without its heights: size, spacing, place and system.
+std::string map_rows(const limn::HeightMap& frame);
+nlohmann::ordered_json map_json(const limn::HeightMap& frame);
 
 /// Both end with a line end.
 std::string raster_text(const RasterFacts& facts);

@@ -7,15 +7,13 @@
 #include "limn/terrain/morphed_view.h"
 #include "limn/terrain/terrain_build.h"
 #include "limn/terrain/terrain_mesh.h"
+#include "limn/terrain/terrain_pyramid_view.h"
 #include "limn/terrain/terrain_view.h"
 #include "timed.h"
 
 using namespace limn;
 
-namespace {
-
-/// On a circle about the middle of the map, above its highest ground, looking ahead and down; it takes the whole circle's turn with it.
-Camera camera_of(const HeightMap& map, double highest, int frame)
+Camera flight_camera(const HeightMap& map, double highest, int frame)
 {
     constexpr double metres_a_frame = 50.0 / 60;
     const dvec2 size = dvec2(map.columns - 1, map.rows - 1) * map.spacing;
@@ -39,6 +37,14 @@ double highest_of(const HeightMap& map)
     return highest;
 }
 
+namespace {
+
+double percentile_95(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1, values.size() * 95 / 100)];
+}
+
 } // namespace
 
 PreparedTimes time_preparation(const HeightMap& map, std::size_t triangles, int runs)
@@ -56,18 +62,21 @@ PreparedTimes time_preparation(const HeightMap& map, std::size_t triangles, int 
     return times;
 }
 
-FlightTimes time_flight(const HeightMap& map, const NestedErrors& errors, double pixels, int frames)
+FlightTimes time_flight(const HeightMap& map, const NestedErrors& errors, const TerrainPyramid& pyramid, double pixels, int frames)
 {
     const double highest = highest_of(map);
     const ViewTolerance tolerance{.pixels = pixels};
     TerrainView view(map, errors);
-    view.update(camera_of(map, highest, 0), tolerance);
-    std::vector<double> update, changed, leaves, restart, morphed, mesh;
+    view.update(flight_camera(map, highest, 0), tolerance);
+    TerrainPyramidView tiles(pyramid);
+    std::vector<double> update, of_tiles, changed, leaves, restart, morphed, mesh;
     for (int frame = 1; frame <= frames; ++frame) {
-        const Camera camera = camera_of(map, highest, frame);
+        const Camera camera = flight_camera(map, highest, frame);
         std::size_t came_or_went = 0;
         update.push_back(ms_of([&] { came_or_went = view.update(camera, tolerance); }));
         changed.push_back(double(came_or_went));
+        tiles.finish(camera, tolerance);
+        of_tiles.push_back(ms_of([&] { tiles.update(camera, tolerance); }));
         const std::vector<BisectionTriangle> triangles = view.triangles();
         leaves.push_back(double(triangles.size()));
         if (frame % 10 != 0)
@@ -76,9 +85,10 @@ FlightTimes time_flight(const HeightMap& map, const NestedErrors& errors, double
         morphed.push_back(ms_of([&] { morphed_mesh(map, errors, camera, tolerance); }));
         mesh.push_back(ms_of([&] { terrain_mesh(map, errors.lattice, triangles); }));
     }
-    FlightTimes times{pixels, median(leaves), median(changed), median(update), 0, 0, median(restart), median(morphed), median(mesh)};
-    std::sort(update.begin(), update.end());
-    times.update_95 = update[std::min(update.size() - 1, update.size() * 95 / 100)];
-    times.update_worst = update.back();
+    FlightTimes times{.pixels = pixels, .leaves = median(leaves), .changed = median(changed), .update = median(update)};
+    times.update_95 = percentile_95(update);
+    times.update_worst = *std::max_element(update.begin(), update.end());
+    times.tiles = median(of_tiles), times.tiles_95 = percentile_95(of_tiles);
+    times.restart = median(restart), times.morphed = median(morphed), times.mesh = median(mesh);
     return times;
 }

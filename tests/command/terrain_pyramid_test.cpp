@@ -42,6 +42,23 @@ TEST_F(TerrainPyramidCommand, WritesTheMeshesOfTheWholeMap)
     }
 }
 
+TEST_F(TerrainPyramidCommand, IsToldOfByInfo)
+{
+    const ProgramResult text = limn("info " + pyramid());
+    EXPECT_EQ(text.exit_code, 0) << text.errors;
+    EXPECT_NE(text.errors.find(": 700 x 600 samples in "), std::string::npos) << text.errors;
+    const ProgramResult raster = limn("info --quiet " + map());
+    for (const char* name : {"columns", "rows", "spacing", "size", "system", "origin", "no data"}) {
+        const std::size_t at = raster.output.find(name);
+        ASSERT_NE(at, std::string::npos) << name;
+        EXPECT_NE(text.output.find(raster.output.substr(at, raster.output.find('\n', at) - at)), std::string::npos) << name << "\n" << text.output;
+    }
+    const nlohmann::json facts = nlohmann::json::parse(limn("info --quiet --json " + pyramid()).output)["pyramid"];
+    EXPECT_EQ(facts["no_data"], 0);
+    EXPECT_EQ(facts["bytes"], std::filesystem::file_size(pyramid()));
+    EXPECT_EQ(facts["heights"]["highest"], nlohmann::json::parse(limn("info --quiet --json " + map()).output)["raster"]["heights"]["highest"]);
+}
+
 TEST_F(TerrainPyramidCommand, PaintsAViewAndMeasuresItsBoundWhereAsked)
 {
     const std::string view = " --size 320x240 --samples 1 --exaggerate 1.5 --json --error-report -o ";

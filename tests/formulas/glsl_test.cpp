@@ -16,6 +16,7 @@ float nearness(const ivec2 p) { return 0.0f; }
 vec3 normal_at(const ivec2 p) { return vec3(0.0f); }
 uint id_at(const ivec2 p) { return 0u; }
 uint vector_at(const ivec2 p) { return 0u; }
+uint last_of_run(const uint i) { return i; }
 )";
 
 /// The text that a driver would get, with what the file includes.

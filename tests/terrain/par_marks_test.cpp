@@ -55,6 +55,19 @@ void expect_watertight_steps(int views)
 TEST(ParMarks, LeaveNoCrackAfterAnyStep) { expect_watertight_steps(60); }
 TEST(ParMarks, LeaveNoCrackAfterAnyStepOfAThousandViewsSlow) { expect_watertight_steps(1000); }
 
+/// Checklist 21: what times each stage is told of all of them, in their order.
+TEST(ParMarks, AreMadeBetweenTestsAndSplitsInEachStep)
+{
+    const HeightMap map = rough_terrain(61, 49);
+    const Lattice lattice = make_lattice(61, 49);
+    std::vector<ParStage> stages;
+    const ParResult par = refine_in_parallel(lattice, root_triangles(lattice), middle_height_test(map, 4), {.on_stage = [&](ParStage stage) { stages.push_back(stage); }});
+    ASSERT_GT(par.steps.size(), 3u);
+    ASSERT_EQ(stages.size(), 3 * par.steps.size());
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        EXPECT_EQ(int(stages[i]), int(i % 3));
+}
+
 TEST(ParMarks, NeedNotBeClearedAndAreAllMade)
 {
     const HeightMap map = reference_terrain(129, 129);

@@ -4,7 +4,7 @@
 
 #include "limn/terrain/measure_terrain.h"
 #include "limn/terrain/terrain_mesh.h"
-#include "terrain/terrain_support.h"
+#include "terrain/par_support.h"
 
 namespace limn::test {
 namespace {
@@ -78,6 +78,41 @@ TEST(Par, StartsFromFinerMeshesToo)
     EXPECT_EQ(refine(map, lattice, 8).triangles.size(), 32268u);
     EXPECT_EQ(refine(map, lattice, 64).triangles.size(), 692u);
     EXPECT_EQ(refine(map, lattice, 64, Diagonals::alternating).triangles.size(), 754u);
+}
+
+/// Checklist 6: no edge that could be split is left over the bound, as an independent projection sees it, and vertices are samples to the bit.
+TEST(Par, LeavesNoEdgeWhoseMiddleIsFurtherOffThanAsked)
+{
+    const HeightMap map = rough_terrain(129, 97);
+    const Lattice lattice = make_lattice(129, 97);
+    std::size_t looked_at = 0;
+    for (std::uint64_t view = 0; view < 20; ++view) {
+        Camera camera = any_camera(map, view);
+        camera.size = {960, 640};
+        constexpr double pixels = 1.5, nearest = 0.01, rounding = 1e-3;
+        const ParResult par = refine_in_parallel(lattice, root_triangles(lattice), screen_height_test(map, camera, pixels, nearest));
+        const auto expect_near = [&](const ivec2& a, const ivec2& b) {
+            const ivec2 m = (a + b) / 2;
+            if (!can_split(a, b) || !lattice.is_sample(a) || !lattice.is_sample(b) || !lattice.is_sample(m))
+                return;
+            const dvec3 on_edge = 0.5 * (map.position(a.x, a.y) + map.position(b.x, b.y));
+            const Projected drawn = camera.project(on_edge), there = camera.project(map.position(m.x, m.y));
+            if (drawn.depth <= nearest || there.depth <= nearest)
+                return;
+            ASSERT_LE(glm::distance(drawn.pixel, there.pixel), pixels + rounding) << "view " << view;
+            ++looked_at;
+        };
+        for (const BisectionTriangle& t : par.triangles) {
+            expect_near(t.apex, t.a);
+            expect_near(t.b, t.apex);
+            expect_near(t.a, t.b);
+        }
+        std::vector<ivec2> samples;
+        const Mesh mesh = terrain_mesh(map, lattice, par.triangles, &samples);
+        for (std::size_t v = 0; v < samples.size(); ++v)
+            ASSERT_EQ(float(mesh.positions[v].z), map.height(samples[v].x, samples[v].y));
+    }
+    EXPECT_GT(looked_at, 1000u);
 }
 
 /// Checklist 5: the answer of a paraboloid is known in closed form.

@@ -105,6 +105,17 @@ Hit RayScene::closest(const Ray& ray) const
     return {query.hit.geomID, query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
 }
 
+bool RayScene::occluded(const Ray& ray) const
+{
+    if (!traceable(ray))
+        return false;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay query = to_embree(ray);
+    rtcOccluded1(embree_->scene, &context, &query);
+    return query.tfar < 0;
+}
+
 bool RayScene::occluded_by(const Ray& ray, bool (*accept)(void*, const Hit&), void* context) const
 {
     if (!traceable(ray))

@@ -42,6 +42,9 @@ public:
 
     Hit closest(const Ray& ray) const;
 
+    /// Whether the ray meets anything.
+    bool occluded(const Ray& ray) const;
+
     /// True if `accept(hit)` holds for some hit of the ray. The answer does not depend on the order of traversal.
     template <class Accept> bool occluded(const Ray& ray, Accept&& accept) const
     {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/formulas/formulas.h"
 #include "limn/shadow/hilbert.h"
 
 namespace limn {
@@ -12,11 +13,6 @@ namespace {
 
 int hilbert_order(const ivec2& cells) { return std::bit_width(std::uint32_t(cells.x)) - 1; }
 
-/// Along the first of two axes at each place of the second.
-std::uint32_t swept(int along, int at, int length, bool zigzag)
-{
-    return std::uint32_t(at) * std::uint32_t(length) + std::uint32_t(zigzag && at % 2 == 1 ? length - 1 - along : along);
-}
 ivec2 unswept(std::uint32_t rank, int length, bool zigzag)
 {
     const int at = int(rank / std::uint32_t(length)), along = int(rank % std::uint32_t(length));
@@ -31,17 +27,7 @@ void check_order(MapOrder order, const ivec2& cells)
         throw Error::Input(fmt::format("a grid of {} x {} directions has no Hilbert curve; it has to be a square of 2, 4, 8 ... along a side", cells.x, cells.y));
 }
 
-std::uint32_t rank_of(MapOrder order, const ivec2& cells, const ivec2& cell)
-{
-    switch (order) {
-    case MapOrder::theta_zigzag: return swept(cell.x, cell.y, cells.x, true);
-    case MapOrder::theta_linear: return swept(cell.x, cell.y, cells.x, false);
-    case MapOrder::phi_zigzag: return swept(cell.y, cell.x, cells.y, true);
-    case MapOrder::phi_linear: return swept(cell.y, cell.x, cells.y, false);
-    case MapOrder::hilbert: break;
-    }
-    return std::uint32_t(hilbert_index<2>({std::uint32_t(cell.x), std::uint32_t(cell.y)}, hilbert_order(cells)));
-}
+std::uint32_t rank_of(MapOrder order, const ivec2& cells, const ivec2& cell) { return formulas::rank_of_cell(int(order), cells, cell); }
 
 ivec2 cell_of_rank(MapOrder order, const ivec2& cells, std::uint32_t rank)
 {

@@ -11,12 +11,6 @@ constexpr std::size_t grain = 1024;
 
 } // namespace
 
-float SegmentLists::depth(std::size_t texel, std::uint32_t rank) const
-{
-    const std::span<const Segment> runs = list(texel);
-    return std::lower_bound(runs.begin(), runs.end(), rank, [](const Segment& s, std::uint32_t r) { return s.last < r; })->depth;
-}
-
 PixelCodec::PixelCodec(std::size_t texels, float margin) : margin_(margin), runs_(texels), lists_(texels) {}
 
 void PixelCodec::begin(std::size_t texel, float near, float far) { runs_[texel] = {near, far, near == no_surface}; }

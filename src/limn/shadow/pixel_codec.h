@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,14 +16,19 @@ struct Segment {
     std::uint32_t last; ///< rank of the run's last map
 };
 
+/// That of a rank in the list of a texel, in as many steps as the list's length has binary digits.
+inline const Segment& segment_of(std::span<const Segment> list, std::uint32_t rank)
+{
+    return *std::lower_bound(list.begin(), list.end(), rank, [](const Segment& s, std::uint32_t r) { return s.last < r; });
+}
+
 /// The maps of an object by texel: of each the runs of its depths, in the order of maps (the coherent shadow map specification, 2.7).
 struct SegmentLists {
     std::vector<std::size_t> first; ///< texels + 1: where lists begin
     std::vector<Segment> segments;
 
     std::span<const Segment> list(std::size_t texel) const { return {segments.data() + first[texel], first[texel + 1] - first[texel]}; }
-    /// In as many steps as the length of the list has binary digits.
-    float depth(std::size_t texel, std::uint32_t rank) const;
+    float depth(std::size_t texel, std::uint32_t rank) const { return segment_of(list(texel), rank).depth; }
     /// Of the seed's file: eight bytes each, and a number for each list.
     std::size_t bytes() const { return segments.size() * sizeof(Segment) + first.size() * sizeof(std::uint32_t); }
 };

@@ -16,7 +16,8 @@ struct ShadowCaster {
     dvec3 to_unit(const dvec3& p) const { return (p - sphere.centre) / sphere.radius; }
 };
 
-/// @throws Error::Input for a mesh without triangles, or whose vertices are all in one place
+/// Vertices that no triangle uses are left out.
+/// @throws Error::Input for a mesh without triangles, or whose vertices are all in one place, at no finite one, or too far away for a sphere
 ShadowCaster make_shadow_caster(const Mesh& mesh);
 
 } // namespace limn

@@ -171,6 +171,10 @@ ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriang
     ParResult result;
     ParMesh mesh = {std::move(start), {}};
     mesh.fresh.assign(mesh.triangles.size(), 1);
+    const auto done = [&](ParStage stage) {
+        if (options.on_stage)
+            options.on_stage(stage);
+    };
     EdgeErrorMap marks(lattice); // need not be cleared from step to step: every marked edge is split in its step, and never comes again
     for (;;) {
         if (options.clear_marks)
@@ -178,11 +182,14 @@ ParResult refine_in_parallel(const Lattice& lattice, std::vector<BisectionTriang
         Step step(marks, mesh, test, options.visible);
         ParStep report;
         report.tested = step.tested();
+        done(ParStage::test);
         for (std::size_t made = 1; made > 0; ++report.mark_passes) {
             made = step.mark();
             report.marks += made;
         }
+        done(ParStage::mark);
         ParMesh finer = step.refined();
+        done(ParStage::split);
         const bool split = finer.triangles.size() != mesh.triangles.size(); // a split always adds triangles
         mesh = std::move(finer);
         report.triangles = mesh.triangles.size();

@@ -27,11 +27,19 @@ struct ParResult {
     std::vector<ParStep> steps; ///< the last one splits nothing
 };
 
+/// What a step of refinement does, one after the other.
+enum class ParStage {
+    test,  ///< the edges of new triangles
+    mark,  ///< what has to be split with them
+    split,
+};
+
 struct ParOptions {
     TriangleTest visible =
         {}; ///< triangles that are tested; empty: all. Others follow the marks of their neighbours, so that there are no cracks
     bool clear_marks = false; ///< begin each step with an empty edge error map, which makes no difference to the mesh
     std::function<void(const std::vector<BisectionTriangle>&)> on_step = {}; ///< called with the mesh after each step that splits
+    std::function<void(ParStage)> on_stage = {}; ///< called after each stage of each step, for those who time them
 };
 
 /// Parallel adaptive refinement (Heide 2009, "PAR"): all triangles are split at once, along those edges that the test finds, and along

@@ -62,7 +62,7 @@ ParView::ParView(const HeightMap& map, const NestedErrors& ranges, std::vector<B
 {
 }
 
-std::size_t ParView::update(const Camera& camera, double pixels)
+std::size_t ParView::update(const Camera& camera, double pixels, std::function<void(ParStage)> on_stage)
 {
     if (!(pixels >= 0))
         throw Error::Input(fmt::format("a tolerance of {} px: it has to be 0 or more", pixels));
@@ -71,7 +71,10 @@ std::size_t ParView::update(const Camera& camera, double pixels)
     const SeenTerrain seen(map_, ranges_, camera);
     const EdgeTest off = screen_height_test(map_, camera, pixels);
     const EdgeTest test = [&](const ivec2& a, const ivec2& b) { return seen.edge(a, b) && off(a, b); };
-    result_ = refine_in_parallel(ranges_.lattice, start_, test, {.visible = [&](const BisectionTriangle& t) { return seen.triangle(t); }});
+    ParOptions options;
+    options.visible = [&](const BisectionTriangle& t) { return seen.triangle(t); };
+    options.on_stage = std::move(on_stage);
+    result_ = refine_in_parallel(ranges_.lattice, start_, test, options);
     camera_ = camera, pixels_ = pixels;
     std::size_t tested = 0;
     for (const ParStep& step : result_.steps)

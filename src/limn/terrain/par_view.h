@@ -38,8 +38,9 @@ public:
     /// @param start  a conforming mesh
     ParView(const HeightMap& map, const NestedErrors& ranges, std::vector<BisectionTriangle> start);
     /// @param pixels  see screen_height_test()
+    /// @param on_stage  as ParOptions has it
     /// @return how many triangles were tested: 0 where nothing changed since the last view
-    std::size_t update(const Camera& camera, double pixels = 1);
+    std::size_t update(const Camera& camera, double pixels = 1, std::function<void(ParStage)> on_stage = {});
     const ParResult& result() const { return result_; } ///< of the last view
     /// Triangles that the last view may show.
     std::vector<BisectionTriangle> seen() const;
