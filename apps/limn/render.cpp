@@ -129,6 +129,7 @@ void take_scene(const CLI::App& app, RenderCommand& command)
     if (app.count("--light") + app.count("--lamp") > 0) {
         lit.light.reset();
         lit.lamp.reset();
+        lit.wide.reset();
     }
     take_options(app, render_option_table(), lit, command.render);
     take_options(app, image_line_option_table(), scene->image_lines, command.image_lines);
@@ -154,6 +155,8 @@ void run(const CLI::App& app, RenderCommand& command)
     pictures.need = pass_need(passes);
     if (command.shader_lines.method != ShaderMethod::off)
         pictures.need = Need::derivative;
+    if (command.render.wide)
+        load(*command.render.wide); // once for all views
     PictureHooks hooks;
     PixelPainter painter(pictures.common.device, say_on_standard_error);
     hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { drawing.background = painter.paint(model, drawing.camera, pixel_options(command, model)); };

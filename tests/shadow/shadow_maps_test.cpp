@@ -14,12 +14,14 @@
 namespace limn::test {
 namespace {
 
-BakeOptions small_options()
+BakeOptions small_options(ShadowCodec codec = ShadowCodec::bricks)
 {
     BakeOptions options;
-    options.maps = 64, options.resolution = 16;
+    options.maps = 64, options.resolution = 16, options.codec = codec;
     return options;
 }
+
+constexpr ShadowCodec codecs[] = {ShadowCodec::segments, ShadowCodec::bricks};
 
 ShadowMaps maps_of(const std::string& bytes) { return {bytes, nullptr, "a.csm"}; }
 
@@ -46,45 +48,51 @@ std::string input_fault(const Mesh& mesh, const BakeOptions& options)
 
 TEST(ShadowMaps, AreTheSameInAFileAsInMemory)
 {
-    const ShadowMaps baked = bake_shadow_maps(anchor_knot(), small_options());
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "limn_maps.csm";
-    write_csm(baked, file);
-    const ShadowMaps read = read_csm(file);
-    EXPECT_EQ(read.bytes(), baked.bytes());
-    EXPECT_EQ(read.info().grid.cells, ivec2(8, 8));
-    EXPECT_EQ(read.info().size, 16);
-    EXPECT_EQ(read.info().shape, shape_hash(anchor_knot()));
-    for (std::uint32_t rank = 0; rank < 64; ++rank)
-        for (std::size_t texel = 0; texel < 256; ++texel)
-            ASSERT_EQ(read.depth(texel, rank), baked.depth(texel, rank));
-    std::filesystem::remove(file);
+    for (const ShadowCodec codec : codecs) {
+        const ShadowMaps baked = bake_shadow_maps(anchor_knot(), small_options(codec));
+        const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "limn_maps.csm";
+        write_csm(baked, file);
+        const ShadowMaps read = read_csm(file);
+        EXPECT_EQ(read.bytes(), baked.bytes());
+        EXPECT_EQ(read.info().codec, codec);
+        EXPECT_EQ(read.info().grid.cells, codec == ShadowCodec::bricks ? ivec2(16, 4) : ivec2(8, 8));
+        EXPECT_EQ(read.info().size, 16);
+        EXPECT_EQ(read.info().shape, shape_hash(anchor_knot()));
+        for (std::uint32_t rank = 0; rank < 64; ++rank)
+            for (std::size_t texel = 0; texel < 256; ++texel)
+                ASSERT_EQ(read.depth(texel, rank), baked.depth(texel, rank));
+        std::filesystem::remove(file);
+    }
 }
 
 /// Checklist 7, of what stands in the file.
 TEST(ShadowMaps, StandBetweenBothSurfaces)
 {
     const Mesh knot = anchor_knot();
-    const BakeOptions options = small_options();
-    const ShadowMaps maps = bake_shadow_maps(knot, options);
-    bake_maps(make_shadow_caster(knot), bake_grid(options), options.order, options.resolution, [&](std::uint32_t rank, const DepthLayers& layers) {
-        for (std::size_t texel = 0; texel < layers.near.size(); ++texel) {
-            const float found = maps.depth(texel, rank);
-            if (layers.near[texel] == no_surface) {
-                ASSERT_EQ(found, no_surface);
-            } else {
-                ASSERT_GE(found, layers.near[texel]);
-                ASSERT_LT(found, layers.far[texel]);
+    for (const ShadowCodec codec : codecs) {
+        const ShadowMaps maps = bake_shadow_maps(knot, small_options(codec));
+        bake_maps(make_shadow_caster(knot), maps.info().grid, maps.info().order, maps.info().size, [&](std::uint32_t rank, const DepthLayers& layers) {
+            for (std::size_t texel = 0; texel < layers.near.size(); ++texel) {
+                const float found = maps.depth(texel, rank);
+                if (layers.near[texel] == no_surface) {
+                    ASSERT_EQ(found, no_surface);
+                } else {
+                    ASSERT_GE(found, layers.near[texel]);
+                    ASSERT_LT(found, layers.far[texel]);
+                }
             }
-        }
-    });
+        });
+    }
 }
 
 TEST(ShadowMaps, HaveTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh blob = anchor_blob();
-    const ShadowMaps one = with_threads(1, [&] { return bake_shadow_maps(blob, small_options()); });
-    const ShadowMaps many = with_threads(4, [&] { return bake_shadow_maps(blob, small_options()); });
-    EXPECT_EQ(one.bytes(), many.bytes());
+    for (const ShadowCodec codec : codecs) {
+        const ShadowMaps one = with_threads(1, [&] { return bake_shadow_maps(blob, small_options(codec)); });
+        const ShadowMaps many = with_threads(4, [&] { return bake_shadow_maps(blob, small_options(codec)); });
+        EXPECT_EQ(one.bytes(), many.bytes());
+    }
 }
 
 TEST(ShadowMaps, NameWhatIsWrongWithAFile)
@@ -102,13 +110,15 @@ TEST(ShadowMaps, NameWhatIsWrongWithAFile)
 
 TEST(ShadowMaps, NoticeEveryFlippedBit)
 {
-    BakeOptions options = small_options();
-    options.maps = 4, options.resolution = 4;
-    const std::string whole(bake_shadow_maps(anchor_knot(), options).bytes());
-    for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
-        std::string flipped = whole;
-        flipped[bit / 8] = char(flipped[bit / 8] ^ (1 << bit % 8));
-        ASSERT_NE(fault_of(flipped), "") << bit;
+    for (const ShadowCodec codec : codecs) {
+        BakeOptions options = small_options(codec);
+        options.maps = 4, options.resolution = 4;
+        const std::string whole(bake_shadow_maps(anchor_knot(), options).bytes());
+        for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+            std::string flipped = whole;
+            flipped[bit / 8] = char(flipped[bit / 8] ^ (1 << bit % 8));
+            ASSERT_NE(fault_of(flipped), "") << bit;
+        }
     }
 }
 
@@ -135,7 +145,7 @@ TEST(ShadowMaps, RefuseOptionsOutOfRange)
     EXPECT_EQ(input_fault(knot, options), "--cells: 5000 is outside 1..4096");
     options = small_options(), options.margin = 0.5;
     EXPECT_EQ(input_fault(knot, options), "--margin: 0.5 is outside 0..0.49");
-    options = small_options(), options.order = MapOrder::hilbert, options.cells = {6, 6};
+    options = small_options(ShadowCodec::segments), options.order = MapOrder::hilbert, options.cells = {6, 6};
     EXPECT_NE(input_fault(knot, options), "");
 }
 
@@ -174,11 +184,11 @@ TEST(ShadowMaps, GiveUpWhenProgressThrows)
     EXPECT_THROW(bake_shadow_maps(anchor_knot(), small_options(),
                                   [&](double part) {
                                       EXPECT_LE(part, 1);
-                                      if (++calls == 20)
+                                      if (++calls == 3)
                                           throw std::runtime_error("enough");
                                   }),
                  std::runtime_error);
-    EXPECT_EQ(calls, 20);
+    EXPECT_EQ(calls, 3);
 }
 
 } // namespace

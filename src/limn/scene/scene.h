@@ -41,7 +41,7 @@ struct DistantLight {
 struct Lamp {
     dvec3 place = {0, 0, 0};
 };
-using Light = std::variant<Headlight, DistantLight, Lamp>;
+using Light = std::variant<Headlight, DistantLight, Lamp, SphereLight, RectangleLight, EnvironmentFile>;
 
 /// Where a scene is looked at from: a whole camera, or a side from which all of it is framed.
 struct SceneView {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "limn/shadow/depth_layers.h"
 #include "limn/shadow/map_order.h"
@@ -13,5 +14,11 @@ namespace limn {
 /// @throws Error::Input for an order that the grid does not fit
 void bake_maps(const ShadowCaster& caster, const DirectionGrid& grid, MapOrder order, int size, const std::function<void(std::uint32_t, const DepthLayers&)>& take,
                OpenBack back = OpenBack::sphere);
+
+/// The same in blocks of neighbouring cells, all blocks along x before the next along y.
+/// @param block  cells along each side
+/// @param take  called with the maps of a block, x before y, null where it reaches beyond the grid, and with the part that is then done, to 1
+void bake_blocks(const ShadowCaster& caster, const DirectionGrid& grid, const ivec2& block, int size,
+                 const std::function<void(std::span<const DepthLayers* const>, double)>& take, OpenBack back = OpenBack::sphere);
 
 } // namespace limn

@@ -7,12 +7,14 @@
 
 #include "limn/base/error.h"
 #include "limn/shadow/bake_maps.h"
+#include "limn/shadow/brick_stream.h"
 #include "limn/shadow/shape_hash.h"
 
 namespace limn {
 namespace {
 
 constexpr double most_margin = 0.49;
+constexpr int least_oblong = 64; ///< maps of an oblong grid: fewer are too far apart along phi
 
 void check(const BakeOptions& options)
 {
@@ -52,6 +54,32 @@ OptionRow<BakeOptions> cells_row()
     return {"cells", "", range, "directions along theta and phi, instead of --maps", set, get, OptionKind::text};
 }
 
+std::string baked_segments(const ShadowCaster& caster, const ShadowMapsInfo& info, const std::function<void(double)>& progress)
+{
+    PixelCodec codec(info.texels(), info.margin);
+    bake_maps(
+        caster, info.grid, info.order, info.size,
+        [&](std::uint32_t rank, const DepthLayers& layers) {
+            codec.add(layers);
+            progress(double(rank + 1) / double(info.grid.count()));
+        },
+        info.back);
+    return stored_bytes(codec.finish());
+}
+
+std::string baked_bricks(const ShadowCaster& caster, const ShadowMapsInfo& info, const std::function<void(double)>& progress)
+{
+    BrickStream stream(info.size, info.grid.cells, info.margin);
+    bake_blocks(
+        caster, info.grid, {brick_s, brick_t}, info.size,
+        [&](std::span<const DepthLayers* const> maps, double part) {
+            stream.add(maps);
+            progress(part);
+        },
+        info.back);
+    return stream.finish();
+}
+
 } // namespace
 
 const OptionTable<BakeOptions>& bake_option_table()
@@ -70,7 +98,7 @@ const OptionTable<BakeOptions>& bake_option_table()
                                            {"phi-linear", MapOrder::phi_linear},
                                            {"hilbert", MapOrder::hilbert}},
                                           "how maps follow each other", &BakeOptions::order),
-        choice_row<BakeOptions, ShadowCodec>("codec", {{"seed", ShadowCodec::segments}}, "how depths are stored", &BakeOptions::codec),
+        choice_row<BakeOptions, ShadowCodec>("codec", {{"bricks", ShadowCodec::bricks}, {"seed", ShadowCodec::segments}}, "how depths are stored", &BakeOptions::codec),
         number_row<BakeOptions>("margin", "of the thickness", 0, most_margin, "that depths keep from both surfaces", &BakeOptions::margin),
         choice_row<BakeOptions, OpenBack>("open-back", {{"sphere", OpenBack::sphere}, {"constant", OpenBack::constant}},
                                           "what is behind a surface without a second one", &BakeOptions::back)};
@@ -82,32 +110,30 @@ DirectionGrid bake_grid(const BakeOptions& options)
     check(options);
     if (options.cells != ivec2(0, 0))
         return {options.spread, options.cells};
-    const int side = std::max(1, int(std::lround(std::sqrt(double(options.maps)))));
-    return {options.spread, {side, side}};
+    const double side = std::sqrt(double(options.maps));
+    const auto to_nearest = [](double wanted, int unit) { return std::max(1, int(std::lround(wanted / unit))) * unit; };
+    if (options.codec != ShadowCodec::bricks || options.spread == DirectionSpread::octahedral || options.maps < least_oblong)
+        return {options.spread, {to_nearest(side, 1), to_nearest(side, 1)}};
+    const int across = to_nearest(side / 2, brick_t);
+    return {options.spread, {std::min(to_nearest(double(options.maps) / across, brick_s), int(most_maps) / across), across}};
 }
 
 ShadowMaps bake_shadow_maps(const Mesh& mesh, const BakeOptions& options, const std::function<void(double)>& progress)
 {
+    const DirectionGrid grid = bake_grid(options);
     const ShadowCaster caster = make_shadow_caster(mesh);
     ShadowMapsInfo info;
-    info.grid = bake_grid(options);
-    info.order = options.order;
+    info.grid = grid;
+    info.order = options.codec == ShadowCodec::bricks ? MapOrder::theta_linear : options.order;
     info.size = options.resolution;
     info.codec = options.codec;
     info.margin = float(options.margin);
     info.back = options.back;
     info.sphere = caster.sphere;
     info.shape = shape_hash(mesh);
-    PixelCodec codec(info.texels(), info.margin);
-    bake_maps(
-        caster, info.grid, info.order, info.size,
-        [&](std::uint32_t rank, const DepthLayers& layers) {
-            codec.add(layers);
-            if (progress)
-                progress(double(rank + 1) / double(info.grid.count()));
-        },
-        info.back);
-    const auto file = std::make_shared<const std::string>(encode_csm(info, stored_bytes(codec.finish())));
+    const std::function<void(double)> tell = progress ? progress : [](double) {};
+    const std::string depths = options.codec == ShadowCodec::bricks ? baked_bricks(caster, info, tell) : baked_segments(caster, info, tell);
+    const auto file = std::make_shared<const std::string>(encode_csm(info, depths));
     return {*file, file, "the baked maps"};
 }
 

@@ -12,9 +12,9 @@ struct BakeOptions {
     ivec2 cells = {0, 0};   ///< of the grid of directions, 1 to most_cells along each side; 0: as `maps` tells
     int resolution = 128;   ///< texels along a side of a map, 1 to largest_map
     DirectionSpread spread = DirectionSpread::even;
-    MapOrder order = MapOrder::theta_zigzag;
-    ShadowCodec codec = ShadowCodec::segments;
-    double margin = 0.1;    ///< 0 to below 0.5: the part of the way between both surfaces that depths keep from each; 0 compresses best, more
+    MapOrder order = MapOrder::theta_zigzag; ///< of the codec `segments`; bricks have none
+    ShadowCodec codec = ShadowCodec::bricks;
+    double margin = 0.05;   ///< 0 to below 0.5: the part of the way between both surfaces that depths keep from each; 0 compresses best, more
                             ///< shades the object itself better
     OpenBack back = OpenBack::sphere;
 };
@@ -22,7 +22,8 @@ struct BakeOptions {
 /// The options as data.
 const OptionTable<BakeOptions>& bake_option_table();
 
-/// The grid that the options ask for. @throws Error::Input for options out of range
+/// The grid that the options ask for: of `maps`, as a square; for bricks on a sphere with poles four times as many along theta, in which maps
+/// change less from one to the next. @throws Error::Input for options out of range
 DirectionGrid bake_grid(const BakeOptions& options);
 
 /// Draws an object from every direction and compresses that, map by map: no more than a few maps are in memory beside what is compressed.

@@ -47,7 +47,8 @@ bool is_known(const Header& h)
 {
     const auto within = [](std::uint32_t value, std::uint32_t low, std::uint32_t high) { return value >= low && value <= high; };
     return within(h.size, 1, largest_map) && within(h.cells[0], 1, most_cells) && within(h.cells[1], 1, most_cells) && h.cells[0] * h.cells[1] <= most_maps &&
-           within(h.spread, 0, 2) && within(h.order, 0, 4) && within(h.back, 0, 1) && h.margin >= 0 && h.margin < 0.5f && h.radius > 0 && within(h.codec, 1, 1);
+           within(h.spread, 0, 2) && within(h.order, 0, 4) && within(h.back, 0, 1) && h.margin >= 0 && h.margin < 0.5f && h.radius > 0 && within(h.codec, 1, 2) &&
+           (h.codec != std::uint32_t(ShadowCodec::bricks) || h.order == std::uint32_t(MapOrder::theta_linear));
 }
 
 Header checked_header(std::string_view bytes, const std::string& name)

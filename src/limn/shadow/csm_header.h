@@ -15,15 +15,16 @@ namespace limn {
 
 /// How the depths of a file are stored; the numbers stand in files.
 enum class ShadowCodec : std::uint32_t {
-    segments = 1, ///< the seed's: lists of runs of eight bytes
+    segments = 1, ///< the seed's: lists of runs of eight bytes (pixel_codec.h)
+    bricks = 2,   ///< trees over neighbouring texels of neighbouring maps (brick_encoder.h)
 };
 
 /// What the maps of an object are, all but their depths.
 struct ShadowMapsInfo {
     DirectionGrid grid;
-    MapOrder order = MapOrder::theta_zigzag; ///< of ranks
+    MapOrder order = MapOrder::theta_linear; ///< of ranks
     int size = 128;                          ///< texels along a side of a map
-    ShadowCodec codec = ShadowCodec::segments;
+    ShadowCodec codec = ShadowCodec::bricks;
     float margin = 0;                      ///< that depths keep from both surfaces, as a part of the way between them
     OpenBack back = OpenBack::sphere;
     BoundingSphere sphere;                 ///< of the object, in its own space: the unit sphere of the maps

@@ -10,21 +10,26 @@ constexpr int fraction_bits = 14;
 constexpr std::int32_t one_texel = 1 << fraction_bits, half_texel = one_texel / 2;
 constexpr float same_surface = 1e-6f;
 
-/// A side of a triangle, from a to b: positive on its left, the inner side.
+/// A side of a triangle, with the triangle on its left: what it is about a place that moves from middle to middle.
 struct Side {
-    std::int64_t step_u, step_v, value;
-    bool owns; ///< whether middles on it belong to the triangle: it is a lower or a right side
-};
+    std::int64_t value;          ///< positive on its left
+    std::int64_t step_u, step_v; ///< of the value, from texel to texel
+    bool owns;                   ///< whether middles on it belong to the triangle: it is a lower or a right side
 
-Side side_of(std::int64_t au, std::int64_t av, std::int64_t bu, std::int64_t bv, std::int64_t u, std::int64_t v)
-{
-    const std::int64_t du = bu - au, dv = bv - av;
-    return {-dv, du, du * (v - av) - dv * (u - au), dv > 0 || (dv == 0 && du > 0)};
-}
+    bool covers() const { return value > 0 || (value == 0 && owns); }
+};
 
 /// The first texel whose middle is at or after a coordinate, and the last at or before it.
 int first_texel(std::int32_t c) { return (c - half_texel + one_texel - 1) >> fraction_bits; }
 int last_texel(std::int32_t c) { return (c - half_texel) >> fraction_bits; }
+
+/// A number of 16 bits for the gap between two middles that a coordinate is in, odd; an even one for each middle.
+std::uint32_t gap_of(std::int32_t c)
+{
+    const std::int32_t from_middle = c - half_texel;
+    const bool on_middle = (from_middle & (one_texel - 1)) == 0;
+    return std::uint32_t(2 * (from_middle >> fraction_bits) + (on_middle ? 0 : 1)) & 0xFFFF;
+}
 
 void add_depth(float z, float& near, float& far)
 {
@@ -39,7 +44,7 @@ void add_depth(float z, float& near, float& far)
 
 } // namespace
 
-DepthPainter::DepthPainter(const ShadowCaster& caster, int size, OpenBack back) : caster_(caster), back_(back), vertices_(caster.x.size())
+DepthPainter::DepthPainter(const ShadowCaster& caster, int size, OpenBack back) : caster_(caster), back_(back), vertices_(caster.x.size()), gaps_(caster.x.size())
 {
     const std::size_t texels = std::size_t(size) * std::size_t(size);
     layers_.size = size;
@@ -57,7 +62,8 @@ const DepthLayers& DepthPainter::paint(const MapFrame& frame)
     std::fill(layers_.near.begin(), layers_.near.end(), no_surface);
     std::fill(layers_.far.begin(), layers_.far.end(), no_surface);
     project(frame);
-    for (const uvec3& triangle : caster_.triangles)
+    find_candidates();
+    for (const uvec3& triangle : candidates_)
         paint(triangle);
     close_backs();
     return layers_;
@@ -70,38 +76,59 @@ void DepthPainter::project(const MapFrame& frame)
         const float x = caster_.x[i], y = caster_.y[i], z = caster_.z[i];
         const float u = frame.right.x * x + frame.right.y * y + frame.right.z * z, v = frame.up.x * x + frame.up.y * y + frame.up.z * z;
         const float w = frame.towards.x * x + frame.towards.y * y + frame.towards.z * z;
-        vertices_[i] = {std::int32_t(std::floor((u + 1) * scale + 0.5f)), std::int32_t(std::floor((v + 1) * scale + 0.5f)), 0.5f - 0.5f * w};
+        // Whole numbers of what is not below 0: to the nearest.
+        vertices_[i] = {std::int32_t((u + 1) * scale + 0.5f), std::int32_t((v + 1) * scale + 0.5f), 0.5f - 0.5f * w};
+        gaps_[i] = gap_of(vertices_[i].u) | gap_of(vertices_[i].v) << 16;
     }
+}
+
+/// Most triangles of a fine mesh lie between the middles of two columns or rows of texels, and cover none.
+void DepthPainter::find_candidates()
+{
+    candidates_.resize(caster_.triangles.size());
+    std::size_t count = 0;
+    for (const uvec3& t : caster_.triangles) {
+        const std::uint32_t gap = gaps_[t.x], differ = (gap ^ gaps_[t.y]) | (gap ^ gaps_[t.z]);
+        const std::uint32_t within_columns = std::uint32_t((differ & 0xFFFF) == 0) & gap, within_rows = std::uint32_t(differ >> 16 == 0) & gap >> 16;
+        candidates_[count] = t;
+        count += ~(within_columns | within_rows) & 1;
+    }
+    candidates_.resize(count);
 }
 
 void DepthPainter::paint(const uvec3& triangle)
 {
-    const Vertex *a = &vertices_[triangle.x], *b = &vertices_[triangle.y], *c = &vertices_[triangle.z];
+    const Vertex *const a = &vertices_[triangle.x], *const b = &vertices_[triangle.y], *const c = &vertices_[triangle.z];
     const int low_x = std::max(0, first_texel(std::min({a->u, b->u, c->u}))), high_x = std::min(layers_.size - 1, last_texel(std::max({a->u, b->u, c->u})));
     const int low_y = std::max(0, first_texel(std::min({a->v, b->v, c->v}))), high_y = std::min(layers_.size - 1, last_texel(std::max({a->v, b->v, c->v})));
     if (low_x > high_x || low_y > high_y)
         return;
-    std::int64_t area = std::int64_t(b->u - a->u) * (c->v - a->v) - std::int64_t(b->v - a->v) * (c->u - a->u);
-    if (area == 0)
+    // Twice the areas of the triangles that each side makes with the first middle.
+    const std::int32_t u = low_x * one_texel + half_texel, v = low_y * one_texel + half_texel;
+    const std::int64_t au = a->u - u, av = a->v - v, bu = b->u - u, bv = b->v - v, cu = c->u - u, cv = c->v - v;
+    const std::int64_t beside_a = bu * cv - bv * cu, beside_b = cu * av - cv * au, beside_c = au * bv - av * bu;
+    const std::int64_t area = beside_a + beside_b + beside_c, sign = area < 0 ? -1 : 1;
+    const bool single = low_x == high_x && low_y == high_y;
+    if (area == 0 || (single && ((sign * beside_a) | (sign * beside_b) | (sign * beside_c)) < 0))
         return;
-    if (area < 0)
-        std::swap(b, c), area = -area;
-    const std::int64_t u = std::int64_t(low_x) * one_texel + half_texel, v = std::int64_t(low_y) * one_texel + half_texel;
-    Side sides[3] = {side_of(b->u, b->v, c->u, c->v, u, v), side_of(c->u, c->v, a->u, a->v, u, v), side_of(a->u, a->v, b->u, b->v, u, v)};
-    const float share = 1 / float(area);
+    const auto side = [&](std::int64_t value, std::int64_t du, std::int64_t dv) {
+        du *= sign, dv *= sign;
+        return Side{sign * value, -dv * one_texel, du * one_texel, dv > 0 || (dv == 0 && du > 0)};
+    };
+    Side sides[3] = {side(beside_a, cu - bu, cv - bv), side(beside_b, au - cu, av - cv), side(beside_c, bu - au, bv - av)};
+    const float share = 1 / float(sign * area), to_b = b->z - a->z, to_c = c->z - a->z;
     for (int y = low_y; y <= high_y; ++y) {
-        std::int64_t value[3] = {sides[0].value, sides[1].value, sides[2].value};
+        Side at[3] = {sides[0], sides[1], sides[2]};
         for (int x = low_x; x <= high_x; ++x) {
-            const auto covers = [&](int k) { return value[k] > 0 || (value[k] == 0 && sides[k].owns); };
-            if (covers(0) && covers(1) && covers(2)) {
+            if (at[0].covers() && at[1].covers() && at[2].covers()) {
                 const std::size_t texel = std::size_t(y) * std::size_t(layers_.size) + std::size_t(x);
-                add_depth(a->z + (float(value[1]) * (b->z - a->z) + float(value[2]) * (c->z - a->z)) * share, layers_.near[texel], layers_.far[texel]);
+                add_depth(a->z + (float(at[1].value) * to_b + float(at[2].value) * to_c) * share, layers_.near[texel], layers_.far[texel]);
             }
-            for (int k = 0; k < 3; ++k)
-                value[k] += sides[k].step_u * one_texel;
+            for (Side& s : at)
+                s.value += s.step_u;
         }
-        for (Side& side : sides)
-            side.value += side.step_v * one_texel;
+        for (Side& s : sides)
+            s.value += s.step_v;
     }
 }
 

@@ -40,6 +40,7 @@ private:
         float z;
     };
     void project(const MapFrame& frame);
+    void find_candidates();
     void paint(const uvec3& triangle);
     void close_backs();
 
@@ -47,6 +48,8 @@ private:
     OpenBack back_;
     DepthLayers layers_;
     std::vector<Vertex> vertices_;
+    std::vector<std::uint32_t> gaps_; ///< between middles of texels that each vertex is in: of columns, and of rows above them
+    std::vector<uvec3> candidates_;   ///< triangles that may cover the middle of a texel
     std::vector<float> sphere_exit_; ///< by texel
 };
 

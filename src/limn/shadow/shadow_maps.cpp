@@ -10,9 +10,13 @@
 namespace limn {
 
 ShadowMaps::ShadowMaps(std::string_view bytes, std::shared_ptr<const void> owner, const std::string& name)
-    : bytes_(bytes), owner_(std::move(owner)), info_(decode_csm(bytes, name)),
-      segments_(bytes.substr(csm_header_bytes), info_.texels(), info_.grid.count(), name)
+    : bytes_(bytes), owner_(std::move(owner)), info_(decode_csm(bytes, name))
 {
+    const std::string_view depths = bytes.substr(csm_header_bytes);
+    if (info_.codec == ShadowCodec::bricks)
+        depths_ = StoredBricks(depths, info_.size, info_.grid.cells, name);
+    else
+        depths_ = StoredSegments(depths, info_.texels(), info_.grid.count(), name);
 }
 
 ShadowMaps read_csm(const std::filesystem::path& file)

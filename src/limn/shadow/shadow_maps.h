@@ -4,9 +4,12 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "limn/geometry/mesh.h"
 #include "limn/shadow/csm_header.h"
+#include "limn/shadow/look_up.h"
+#include "limn/shadow/stored_bricks.h"
 #include "limn/shadow/stored_segments.h"
 
 namespace limn {
@@ -20,19 +23,33 @@ public:
     ShadowMaps(std::string_view bytes, std::shared_ptr<const void> owner, const std::string& name);
 
     const ShadowMapsInfo& info() const { return info_; }
+    /// For a LookUp in them.
+    MapLayout layout() const { return {info_.grid, info_.order, info_.size}; }
     /// Between the first and second surface of a texel (row by row, along the frame's `up`) in the map of a rank, from 0 nearest to the eye to 1;
     /// no_surface where the map has none. A depth source.
-    float depth(std::size_t texel, std::uint32_t rank) const { return segments_.depth(texel, rank); }
+    float depth(std::size_t texel, std::uint32_t rank) const
+    {
+        return bricks() ? bricks()->depth(texel, rank) : segments()->depth(texel, rank);
+    }
+    /// The same of many (read_depths.h).
+    void depths(std::span<const MapPlace> places, float* depths) const
+    {
+        if (bricks())
+            bricks()->depths(places, depths);
+        else
+            read_depths(*segments(), places, depths);
+    }
     /// The file.
     std::string_view bytes() const { return bytes_; }
-    /// The lists of the codec `segments`.
-    const StoredSegments& segments() const { return segments_; }
+    /// The depth source itself: that of the codec, null for another one.
+    const StoredSegments* segments() const { return std::get_if<StoredSegments>(&depths_); }
+    const StoredBricks* bricks() const { return std::get_if<StoredBricks>(&depths_); }
 
 private:
     std::string_view bytes_;
     std::shared_ptr<const void> owner_;
     ShadowMapsInfo info_;
-    StoredSegments segments_;
+    std::variant<StoredSegments, StoredBricks> depths_;
 };
 
 /// Maps a file; nothing is unpacked.
