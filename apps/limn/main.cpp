@@ -13,7 +13,7 @@ namespace {
 
 constexpr int success = 0, failure = 1, usage = 2;
 
-constexpr const char* introduction = "Limn draws the shape of 3D things: line drawings of meshes, with hidden lines removed, shaded pictures, and terrain.\n"
+constexpr const char* introduction = "Limn draws the shape of 3D things: line drawings of meshes, with hidden lines removed, shaded pictures, terrain, and shadows.\n"
                                      "'limn COMMAND --help' explains a command, with examples.";
 
 int complain(const std::string& who, const std::string& what, int code)
@@ -102,6 +102,6 @@ int main(int argc, char** argv)
     app.formatter(std::make_shared<HelpFormatter>());
     app.require_subcommand(0, 1);
     const std::vector<Subcommand> subcommands = {add_bench(app), add_completions(app), add_draw(app),
-                                                 add_info(app), add_man(app), add_render(app), add_sample(app), add_subdivide(app), add_terrain(app)};
+                                                 add_info(app), add_man(app), add_render(app), add_sample(app), add_shadow(app), add_subdivide(app), add_terrain(app)};
     return run(app, subcommands, argc, argv);
 }

@@ -12,6 +12,7 @@
 #include "limn/geometry/diagnose.h"
 #include "limn/geometry/write_mesh.h"
 #include "limn/subdivision/control_samples.h"
+#include "limn/surface/model_samples.h"
 #include "limn/surface/shapes.h"
 #include "limn/terrain/terrain_samples.h"
 #include "subcommand.h"
@@ -31,6 +32,7 @@ constexpr const char* examples = R"(Examples:
   limn sample bumpy-torus --triangles 1000000 --double -o bumpy.ply
   limn sample creature -o creature.obj
   limn sample blob --jitter 0.2 --noise 0.001 --seed 7 -o scan.stl
+  limn sample tree --seed 3 -o tree.ply
   limn sample terrain --size 1025x513 --seed 3 -o terrain.tif
   limn sample knot -o - --to ply | limn draw - -o knot.svg)";
 
@@ -40,16 +42,13 @@ struct SampleCommand {
     TerrainSampleOptions terrain;
 };
 
-bool is_control_mesh(const std::string& name)
-{
-    const std::vector<std::string>& known = control_sample_names();
-    return std::find(known.begin(), known.end(), name) != known.end();
-}
+bool is_among(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
 
 std::vector<std::string> every_name()
 {
     std::vector<std::string> names = shape_names();
     names.insert(names.end(), control_sample_names().begin(), control_sample_names().end());
+    names.insert(names.end(), model_sample_names().begin(), model_sample_names().end());
     names.push_back(terrain_name);
     return names;
 }
@@ -59,19 +58,19 @@ void check_name(const std::string& name)
     const std::vector<std::string> known = every_name();
     if (name.empty())
         throw Error::Input("no shape given; known: " + join(known, ", "));
-    if (std::find(known.begin(), known.end(), name) != known.end())
+    if (is_among(known, name))
         return;
     const std::string guess = nearest(name, known);
     throw Error::Input(fmt::format("'{}' is no shape; {}", name,
                                    guess.empty() ? "known: " + join(known, ", ") : fmt::format("did you mean '{}'?", guess)));
 }
 
-/// @throws Error::Input where an option of the table was given, save for the one excepted.
+/// @throws Error::Input where an option of the table was given, save for those excepted.
 template <class Options>
-void refuse_options(const CLI::App& app, const OptionTable<Options>& table, const std::string& but, const std::string& why)
+void refuse_options(const CLI::App& app, const OptionTable<Options>& table, const std::vector<std::string>& but, const std::string& why)
 {
     for (const OptionRow<Options>& row : table)
-        if (row.name != but && app.count("--" + row.name) > 0)
+        if (!is_among(but, row.name) && app.count("--" + row.name) > 0)
             throw Error::Input(fmt::format("--{}: {}", row.name, why));
 }
 
@@ -80,10 +79,26 @@ Shape make_control_shape(const CLI::App& app, const std::string& name)
 {
     Shape shape;
     shape.mesh = make_control_sample(name);
-    refuse_options(app, shape_option_table(), "double",
+    refuse_options(app, shape_option_table(), {"double"},
                    fmt::format("'{}' is a control mesh of {} triangles, and stays as it is", name, shape.mesh.triangles.size()));
     shape.closed = diagnose(shape.mesh).closed;
     return shape;
+}
+
+/// Models of thin parts; their seed and the rounding of their positions can be chosen.
+Shape make_model_shape(const CLI::App& app, const ShapeOptions& options)
+{
+    Shape shape;
+    shape.mesh = make_model_sample(options.name, options.seed);
+    refuse_options(app, shape_option_table(), {"double", "seed"}, fmt::format("'{}' has {} triangles, and stays as it is", options.name, shape.mesh.triangles.size()));
+    return shape;
+}
+
+Shape make_named_shape(const CLI::App& app, const ShapeOptions& options)
+{
+    if (is_among(control_sample_names(), options.name))
+        return make_control_shape(app, options.name);
+    return is_among(model_sample_names(), options.name) ? make_model_shape(app, options) : make_shape(options);
 }
 
 /// What a format cannot hold.
@@ -130,7 +145,7 @@ void run_terrain(const CLI::App& app, SampleCommand& command)
 {
     const Stopwatch watch;
     const std::vector<Output> outputs = some_outputs(command.common, terrain_formats);
-    refuse_options(app, shape_option_table(), "seed", "a terrain has no triangles to change");
+    refuse_options(app, shape_option_table(), {"seed"}, "a terrain has no triangles to change");
     command.terrain.seed = command.shape.seed;
     Console console(command.common.quiet);
     for (std::size_t i = 0; i < outputs.size(); ++i)
@@ -147,10 +162,10 @@ void run_shape(const CLI::App& app, SampleCommand& command)
 {
     const Stopwatch watch;
     const std::vector<Output> outputs = some_outputs(command.common, formats);
-    refuse_options(app, terrain_sample_option_table(), "", fmt::format("'{}' is no terrain", command.shape.name));
+    refuse_options(app, terrain_sample_option_table(), {}, fmt::format("'{}' is no terrain", command.shape.name));
     Console console(command.common.quiet);
     console.progress("making the shape", 0);
-    const Shape shape = is_control_mesh(command.shape.name) ? make_control_shape(app, command.shape.name) : make_shape(command.shape);
+    const Shape shape = make_named_shape(app, command.shape);
     Warnings warnings;
     for (const Output& output : outputs)
         warnings.add(output.path, lost_creases(shape.mesh, output));

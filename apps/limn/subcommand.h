@@ -17,5 +17,6 @@ Subcommand add_info(CLI::App& limn);
 Subcommand add_man(CLI::App& limn);
 Subcommand add_render(CLI::App& limn);
 Subcommand add_sample(CLI::App& limn);
+Subcommand add_shadow(CLI::App& limn);
 Subcommand add_subdivide(CLI::App& limn);
 Subcommand add_terrain(CLI::App& limn);

@@ -4,7 +4,10 @@
 
 #include "limn/base/error.h"
 #include "limn/shadow/bake_maps.h"
+#include "limn/base/random.h"
+#include "limn/shadow/candidate_triangles.h"
 #include "shadow/shadow_meshes.h"
+#include "support/instruction_sets.h"
 
 namespace limn::test {
 namespace {
@@ -109,6 +112,67 @@ TEST(DepthLayers, AreDrawnInAnyNumberOfThreadsAlike)
         ASSERT_EQ(layers.far, wanted.far);
     });
     EXPECT_EQ(ranks, 45u);
+}
+
+/// Every instruction set draws the same, and no triangle that covers a middle is left out.
+TEST(DepthLayers, AreTheSameForEveryInstructionSet)
+{
+    const ShadowCaster blob = make_shadow_caster(anchor_blob());
+    const MapFrame frame = DirectionGrid{DirectionSpread::even, {5, 7}}.frame({2, 3});
+    std::vector<DepthLayers> all;
+    with_each_instruction_set([&](const char* name) {
+        all.push_back(DepthPainter(blob, 48).paint(frame));
+        EXPECT_EQ(all.back().near, all.front().near) << name;
+        EXPECT_EQ(all.back().far, all.front().far) << name;
+    });
+    EXPECT_GE(all.size(), 2u);
+}
+
+TEST(CandidateTriangles, HoldAllThatCoverAMiddleAndFewOthers)
+{
+    constexpr std::int32_t one = 1 << map_fraction_bits, half = one / 2;
+    Random random(4);
+    std::vector<MapVertex> vertices;
+    std::vector<uvec3> triangles;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+        const auto u = std::int32_t(random.below(16 * one)), v = std::int32_t(random.below(16 * one));
+        for (int k = 0; k < 3; ++k) // now and then on a middle itself
+            vertices.push_back(random.below(20) == 0 ? MapVertex{(u / one) * one + half, (v / one) * one + half, 0}
+                                                     : MapVertex{u + std::int32_t(random.below(one)), v + std::int32_t(random.below(one)), 0});
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const auto covers = [&](const uvec3& t) {
+        const MapVertex p[3] = {vertices[t.x], vertices[t.y], vertices[t.z]};
+        for (std::int64_t y = half; y < 18 * one; y += one)
+            for (std::int64_t x = half; x < 18 * one; x += one) {
+                bool left = true, right = true;
+                for (int k = 0; k < 3; ++k) {
+                    const MapVertex &a = p[k], &b = p[(k + 1) % 3];
+                    const std::int64_t side = std::int64_t(b.u - a.u) * (y - a.v) - std::int64_t(b.v - a.v) * (x - a.u);
+                    left = left && side >= 0, right = right && side <= 0;
+                }
+                if (left || right)
+                    return true;
+            }
+        return false;
+    };
+    std::vector<char> wanted(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        wanted[i] = covers(triangles[i]);
+    with_each_instruction_set([&](const char* name) {
+        std::vector<std::uint32_t> candidates;
+        find_candidate_triangles(triangles, vertices, candidates);
+        std::vector<char> found(triangles.size(), 0);
+        for (const std::uint32_t i : candidates)
+            found[i] = 1;
+        std::size_t more = 0;
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            ASSERT_LE(wanted[i], found[i]) << name << " " << i;
+            more += found[i] && !wanted[i];
+        }
+        EXPECT_LT(more, triangles.size() / 10) << name;
+        EXPECT_TRUE(std::is_sorted(candidates.begin(), candidates.end()));
+    });
 }
 
 } // namespace

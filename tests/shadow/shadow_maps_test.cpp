@@ -55,7 +55,7 @@ TEST(ShadowMaps, AreTheSameInAFileAsInMemory)
         const ShadowMaps read = read_csm(file);
         EXPECT_EQ(read.bytes(), baked.bytes());
         EXPECT_EQ(read.info().codec, codec);
-        EXPECT_EQ(read.info().grid.cells, codec == ShadowCodec::bricks ? ivec2(16, 4) : ivec2(8, 8));
+        EXPECT_EQ(read.info().grid.cells, ivec2(8, 8));
         EXPECT_EQ(read.info().size, 16);
         EXPECT_EQ(read.info().shape, shape_hash(anchor_knot()));
         for (std::uint32_t rank = 0; rank < 64; ++rank)
@@ -133,6 +133,27 @@ TEST(ShadowMaps, AreRefusedForAnotherMesh)
     EXPECT_THROW(check_shape(maps, mesh, "a.csm"), Error::Read);
 }
 
+TEST(ShadowMaps, OfBricksLieMoreDenselyAlongTheta)
+{
+    const auto cells = [](int maps, ShadowCodec codec = ShadowCodec::bricks, DirectionSpread spread = DirectionSpread::even) {
+        BakeOptions options;
+        options.maps = maps, options.codec = codec, options.spread = spread;
+        return bake_grid(options).cells;
+    };
+    EXPECT_EQ(cells(4096), ivec2(128, 32));
+    EXPECT_EQ(cells(16384), ivec2(256, 64));
+    EXPECT_EQ(cells(1024), ivec2(32, 32));
+    EXPECT_EQ(cells(2304), ivec2(72, 32));
+    EXPECT_EQ(cells(4096, ShadowCodec::segments), ivec2(64, 64));
+    EXPECT_EQ(cells(4096, ShadowCodec::bricks, DirectionSpread::octahedral), ivec2(64, 64));
+    EXPECT_EQ(cells(1), ivec2(1, 1));
+    for (const int maps : {17, 300, 1100, 5000, 70000, 1 << 20}) {
+        const ivec2 found = cells(maps);
+        EXPECT_NEAR(double(found.x) * found.y, maps, 0.15 * maps) << maps;
+        EXPECT_LE(found.x * found.y, 1 << 20);
+    }
+}
+
 TEST(ShadowMaps, RefuseOptionsOutOfRange)
 {
     const Mesh knot = anchor_knot();
@@ -145,6 +166,8 @@ TEST(ShadowMaps, RefuseOptionsOutOfRange)
     EXPECT_EQ(input_fault(knot, options), "--cells: 5000 is outside 1..4096");
     options = small_options(), options.margin = 0.5;
     EXPECT_EQ(input_fault(knot, options), "--margin: 0.5 is outside 0..0.49");
+    options = small_options(), options.order = MapOrder::hilbert;
+    EXPECT_EQ(input_fault(knot, options), "--order: bricks of maps have none; say --codec seed with it");
     options = small_options(ShadowCodec::segments), options.order = MapOrder::hilbert, options.cells = {6, 6};
     EXPECT_NE(input_fault(knot, options), "");
 }

@@ -14,7 +14,7 @@ namespace limn {
 namespace {
 
 constexpr double most_margin = 0.49;
-constexpr int least_oblong = 64; ///< maps of an oblong grid: fewer are too far apart along phi
+constexpr double least_across = 32; ///< cells along phi of an oblong grid: with fewer, maps are too far apart (docs/shadow.md)
 
 void check(const BakeOptions& options)
 {
@@ -25,6 +25,8 @@ void check(const BakeOptions& options)
     check_range("maps", options.maps, 1, most_maps);
     check_range("resolution", options.resolution, 1, largest_map);
     check_range("margin", options.margin, 0, most_margin);
+    if (options.codec == ShadowCodec::bricks && options.order != BakeOptions().order)
+        throw Error::Input("--order: bricks of maps have none; say --codec seed with it");
     if (options.cells == ivec2(0, 0))
         return;
     check_range("cells", options.cells.x, 1, most_cells);
@@ -97,7 +99,7 @@ const OptionTable<BakeOptions>& bake_option_table()
                                            {"phi-zigzag", MapOrder::phi_zigzag},
                                            {"phi-linear", MapOrder::phi_linear},
                                            {"hilbert", MapOrder::hilbert}},
-                                          "how maps follow each other", &BakeOptions::order),
+                                          "of the seed's codec: how maps follow each other", &BakeOptions::order),
         choice_row<BakeOptions, ShadowCodec>("codec", {{"bricks", ShadowCodec::bricks}, {"seed", ShadowCodec::segments}}, "how depths are stored", &BakeOptions::codec),
         number_row<BakeOptions>("margin", "of the thickness", 0, most_margin, "that depths keep from both surfaces", &BakeOptions::margin),
         choice_row<BakeOptions, OpenBack>("open-back", {{"sphere", OpenBack::sphere}, {"constant", OpenBack::constant}},
@@ -112,9 +114,9 @@ DirectionGrid bake_grid(const BakeOptions& options)
         return {options.spread, options.cells};
     const double side = std::sqrt(double(options.maps));
     const auto to_nearest = [](double wanted, int unit) { return std::max(1, int(std::lround(wanted / unit))) * unit; };
-    if (options.codec != ShadowCodec::bricks || options.spread == DirectionSpread::octahedral || options.maps < least_oblong)
+    if (options.codec != ShadowCodec::bricks || options.spread == DirectionSpread::octahedral || side <= least_across)
         return {options.spread, {to_nearest(side, 1), to_nearest(side, 1)}};
-    const int across = to_nearest(side / 2, brick_t);
+    const int across = to_nearest(std::max(side / 2, least_across), brick_t);
     return {options.spread, {std::min(to_nearest(double(options.maps) / across, brick_s), int(most_maps) / across), across}};
 }
 

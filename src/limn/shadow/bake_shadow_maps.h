@@ -22,8 +22,8 @@ struct BakeOptions {
 /// The options as data.
 const OptionTable<BakeOptions>& bake_option_table();
 
-/// The grid that the options ask for: of `maps`, as a square; for bricks on a sphere with poles four times as many along theta, in which maps
-/// change less from one to the next. @throws Error::Input for options out of range
+/// The grid that the options ask for: of `maps`, as a square; for bricks on a sphere with poles up to four times as many along theta, in which maps
+/// change less from one to the next, but 32 along phi at least where there are as many. @throws Error::Input for options out of range
 DirectionGrid bake_grid(const BakeOptions& options);
 
 /// Draws an object from every direction and compresses that, map by map: no more than a few maps are in memory beside what is compressed.

@@ -198,10 +198,9 @@ void BrickEncoder::merge_fits(std::uint32_t order)
     const auto& by_way = elements_by_way()[order];
     for (std::size_t way = 0; way < brick_elements; ++way)
         std::copy_n(fits_.begin() + std::ptrdiff_t(words_ * by_way[way]), words_, common_.begin() + std::ptrdiff_t(words_ * (brick_elements + way)));
-    for (std::size_t i = brick_elements * words_; i-- > words_;) {
-        const std::size_t node = i / words_, word = i % words_;
-        common_[i] = common_[2 * node * words_ + word] & common_[(2 * node + 1) * words_ + word];
-    }
+    for (std::size_t node = brick_elements - 1; node > 0; --node)
+        for (std::size_t word = 0; word < words_; ++word)
+            common_[node * words_ + word] = common_[2 * node * words_ + word] & common_[(2 * node + 1) * words_ + word];
 }
 
 BrickEncoder::Tree BrickEncoder::depth_tree(const std::vector<DepthRange>& elements)

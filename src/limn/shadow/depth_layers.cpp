@@ -6,7 +6,7 @@
 namespace limn {
 namespace {
 
-constexpr int fraction_bits = 14;
+constexpr int fraction_bits = map_fraction_bits;
 constexpr std::int32_t one_texel = 1 << fraction_bits, half_texel = one_texel / 2;
 constexpr float same_surface = 1e-6f;
 
@@ -23,14 +23,6 @@ struct Side {
 int first_texel(std::int32_t c) { return (c - half_texel + one_texel - 1) >> fraction_bits; }
 int last_texel(std::int32_t c) { return (c - half_texel) >> fraction_bits; }
 
-/// A number of 16 bits for the gap between two middles that a coordinate is in, odd; an even one for each middle.
-std::uint32_t gap_of(std::int32_t c)
-{
-    const std::int32_t from_middle = c - half_texel;
-    const bool on_middle = (from_middle & (one_texel - 1)) == 0;
-    return std::uint32_t(2 * (from_middle >> fraction_bits) + (on_middle ? 0 : 1)) & 0xFFFF;
-}
-
 void add_depth(float z, float& near, float& far)
 {
     if (z < near) {
@@ -44,7 +36,7 @@ void add_depth(float z, float& near, float& far)
 
 } // namespace
 
-DepthPainter::DepthPainter(const ShadowCaster& caster, int size, OpenBack back) : caster_(caster), back_(back), vertices_(caster.x.size()), gaps_(caster.x.size())
+DepthPainter::DepthPainter(const ShadowCaster& caster, int size, OpenBack back) : caster_(caster), back_(back), vertices_(caster.x.size())
 {
     const std::size_t texels = std::size_t(size) * std::size_t(size);
     layers_.size = size;
@@ -62,9 +54,9 @@ const DepthLayers& DepthPainter::paint(const MapFrame& frame)
     std::fill(layers_.near.begin(), layers_.near.end(), no_surface);
     std::fill(layers_.far.begin(), layers_.far.end(), no_surface);
     project(frame);
-    find_candidates();
-    for (const uvec3& triangle : candidates_)
-        paint(triangle);
+    find_candidate_triangles(caster_.triangles, vertices_, candidates_);
+    for (const std::uint32_t triangle : candidates_)
+        paint(caster_.triangles[triangle]);
     close_backs();
     return layers_;
 }
@@ -78,27 +70,12 @@ void DepthPainter::project(const MapFrame& frame)
         const float w = frame.towards.x * x + frame.towards.y * y + frame.towards.z * z;
         // Whole numbers of what is not below 0: to the nearest.
         vertices_[i] = {std::int32_t((u + 1) * scale + 0.5f), std::int32_t((v + 1) * scale + 0.5f), 0.5f - 0.5f * w};
-        gaps_[i] = gap_of(vertices_[i].u) | gap_of(vertices_[i].v) << 16;
     }
-}
-
-/// Most triangles of a fine mesh lie between the middles of two columns or rows of texels, and cover none.
-void DepthPainter::find_candidates()
-{
-    candidates_.resize(caster_.triangles.size());
-    std::size_t count = 0;
-    for (const uvec3& t : caster_.triangles) {
-        const std::uint32_t gap = gaps_[t.x], differ = (gap ^ gaps_[t.y]) | (gap ^ gaps_[t.z]);
-        const std::uint32_t within_columns = std::uint32_t((differ & 0xFFFF) == 0) & gap, within_rows = std::uint32_t(differ >> 16 == 0) & gap >> 16;
-        candidates_[count] = t;
-        count += ~(within_columns | within_rows) & 1;
-    }
-    candidates_.resize(count);
 }
 
 void DepthPainter::paint(const uvec3& triangle)
 {
-    const Vertex *const a = &vertices_[triangle.x], *const b = &vertices_[triangle.y], *const c = &vertices_[triangle.z];
+    const MapVertex *const a = &vertices_[triangle.x], *const b = &vertices_[triangle.y], *const c = &vertices_[triangle.z];
     const int low_x = std::max(0, first_texel(std::min({a->u, b->u, c->u}))), high_x = std::min(layers_.size - 1, last_texel(std::max({a->u, b->u, c->u})));
     const int low_y = std::max(0, first_texel(std::min({a->v, b->v, c->v}))), high_y = std::min(layers_.size - 1, last_texel(std::max({a->v, b->v, c->v})));
     if (low_x > high_x || low_y > high_y)

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "limn/shadow/candidate_triangles.h"
 #include "limn/shadow/direction_grid.h"
 #include "limn/shadow/shadow_caster.h"
 
@@ -35,21 +36,15 @@ public:
     const DepthLayers& paint(const MapFrame& frame);
 
 private:
-    struct Vertex {
-        std::int32_t u, v; ///< in 2^-14 of a texel
-        float z;
-    };
     void project(const MapFrame& frame);
-    void find_candidates();
     void paint(const uvec3& triangle);
     void close_backs();
 
     const ShadowCaster& caster_;
     OpenBack back_;
     DepthLayers layers_;
-    std::vector<Vertex> vertices_;
-    std::vector<std::uint32_t> gaps_; ///< between middles of texels that each vertex is in: of columns, and of rows above them
-    std::vector<uvec3> candidates_;   ///< triangles that may cover the middle of a texel
+    std::vector<MapVertex> vertices_;
+    std::vector<std::uint32_t> candidates_; ///< triangles that may cover the middle of a texel
     std::vector<float> sphere_exit_; ///< by texel
 };
 

@@ -13,37 +13,19 @@ constexpr std::size_t grain = 1024;
 
 PixelCodec::PixelCodec(std::size_t texels, float margin) : margin_(margin), runs_(texels), lists_(texels) {}
 
-void PixelCodec::begin(std::size_t texel, float near, float far) { runs_[texel] = {near, far, near == no_surface}; }
-
-Segment PixelCodec::ended(const Run& run) const
-{
-    if (run.background)
-        return {no_surface, maps_ - 1};
-    const float middle = 0.5f * (run.low + run.high);
-    return {middle < run.high ? middle : run.low, maps_ - 1};
-}
-
 void PixelCodec::add(const DepthLayers& layers)
 {
     parallel_each(runs_.size(), grain, [&](std::size_t texel) {
         float near = layers.near[texel], far = layers.far[texel];
-        const bool background = near == no_surface;
-        if (!background && margin_ > 0) {
+        if (near != no_surface && margin_ > 0) {
             const float away = margin_ * (far - near);
             near += away, far -= away;
         }
-        if (maps_ == 0) {
-            begin(texel, near, far);
+        if (maps_ > 0 && runs_[texel].extend(near, far))
             return;
-        }
-        Run& run = runs_[texel];
-        const float low = std::max(run.low, near), high = std::min(run.high, far);
-        if (background ? run.background : !run.background && low < high) {
-            run.low = low, run.high = high;
-            return;
-        }
-        lists_[texel].push_back(ended(run));
-        begin(texel, near, far);
+        if (maps_ > 0)
+            lists_[texel].push_back({runs_[texel].depth(), maps_ - 1});
+        runs_[texel] = DepthRun::from(near, far);
     });
     ++maps_;
 }
@@ -54,7 +36,7 @@ SegmentLists PixelCodec::finish()
     all.first.push_back(0);
     for (std::size_t texel = 0; texel < runs_.size(); ++texel) {
         if (maps_ > 0)
-            lists_[texel].push_back(ended(runs_[texel]));
+            lists_[texel].push_back({runs_[texel].depth(), maps_ - 1});
         all.first.push_back(all.first.back() + lists_[texel].size());
     }
     all.segments.resize(all.first.back());

@@ -6,15 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "limn/shadow/depth_layers.h"
+#include "limn/shadow/depth_run.h"
 
 namespace limn {
-
-/// A depth that stands for all maps of a run: between the first and second surface of each, or no_surface where none of them has one.
-struct Segment {
-    float depth;
-    std::uint32_t last; ///< rank of the run's last map
-};
 
 /// That of a rank in the list of a texel, in as many steps as the list's length has binary digits.
 inline const Segment& segment_of(std::span<const Segment> list, std::uint32_t rank)
@@ -45,16 +39,9 @@ public:
     SegmentLists finish();
 
 private:
-    struct Run {
-        float low, high;
-        bool background;
-    };
-    void begin(std::size_t texel, float near, float far);
-    Segment ended(const Run& run) const;
-
     float margin_;
     std::uint32_t maps_ = 0;
-    std::vector<Run> runs_;
+    std::vector<DepthRun> runs_;
     std::vector<std::vector<Segment>> lists_;
 };
 

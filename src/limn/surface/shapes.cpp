@@ -145,7 +145,7 @@ const OptionTable<ShapeOptions>& shape_option_table()
         number_row<ShapeOptions>("triangles", "", 2, most_triangles, "wanted number of triangles", &ShapeOptions::triangles),
         number_row<ShapeOptions>("jitter", "cells", 0, most_jitter, "move vertices on the surface by up to this much", &ShapeOptions::jitter),
         number_row<ShapeOptions>("noise", "length", 0, 1e3, "standard deviation of a displacement along the normal", &ShapeOptions::noise),
-        number_row<ShapeOptions>("seed", "", 0, 4294967295.0, "seed of jitter and noise, or of a terrain", &ShapeOptions::seed),
+        number_row<ShapeOptions>("seed", "", 0, 4294967295.0, "seed of jitter and noise, or of a terrain or tree", &ShapeOptions::seed),
         {"double", "", "yes|no", "keep double positions instead of rounding to float",
          [](ShapeOptions& options, std::string_view text) {
              if (text != "yes" && text != "no")
