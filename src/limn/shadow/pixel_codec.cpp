@@ -15,7 +15,7 @@ PixelCodec::PixelCodec(std::size_t texels, float margin) : margin_(margin), runs
 
 void PixelCodec::begin(std::size_t texel, float near, float far) { runs_[texel] = {near, far, near == no_surface}; }
 
-Segment PixelCodec::ended(const Run& run) const
+DepthSegment PixelCodec::ended(const Run& run) const
 {
     if (run.background)
         return {no_surface, maps_ - 1};
