@@ -82,6 +82,29 @@ TEST(LightView, IsEvenOverTheDirectionsOfABall)
     EXPECT_THROW(shape_of(SphereLight{{0, 0, 0}, 0}, dvec3(0), 1), Error::Input);
 }
 
+TEST(Occlusion, MayBeBetweenWhereALineIs)
+{
+    Random random(6);
+    int may = 0, is = 0;
+    const auto some = [&](double size) { return vec3(dvec3(random.normal(), random.normal(), random.normal()) * size); };
+    for (int i = 0; i < 20000; ++i) {
+        const vec3 from = some(2);
+        const Ball light = {some(3), float(random.uniform(0.01, 1))}, object = {some(1), float(random.uniform(0.1, 1.5))};
+        bool meets = false;
+        for (int k = 0; k < 30; ++k) {
+            const vec3 q = light.centre + light.radius * glm::normalize(some(1)), way = q - from;
+            const float along = glm::clamp(glm::dot(object.centre - from, way) / glm::dot(way, way), 0.0f, 1.0f);
+            meets = meets || glm::distance(from + along * way, object.centre) < object.radius;
+        }
+        const bool answer = may_be_between(from, light, object);
+        EXPECT_TRUE(answer || !meets) << i;
+        may += answer, is += meets;
+    }
+    EXPECT_GT(is, 5000);
+    EXPECT_LT(may, 1.3 * is) << "and seldom elsewhere";
+    EXPECT_TRUE(may_be_between({0, 0, 0}, {{3, 0, 0}, 1}, {}));
+}
+
 /// A sun of 8 pixels in a dim sky over dark ground.
 Image sky()
 {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "limn/base/error.h"
 #include "limn/surface/tangent.h"
@@ -12,6 +13,23 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double tiny_angle = 1e-5; ///< below it directions are even over the area
+constexpr std::size_t turns = 2048;
+
+/// The unit circle in even steps: places of a ball keep to them, which saves most of their time.
+std::vector<vec2> make_circle()
+{
+    std::vector<vec2> circle;
+    for (std::size_t i = 0; i < turns; ++i)
+        circle.push_back(vec2(dvec2(std::cos(2 * pi * double(i) / turns), std::sin(2 * pi * double(i) / turns))));
+    return circle;
+}
+
+/// @param u  in [0, 1]
+const vec2& on_circle(float u)
+{
+    static const std::vector<vec2> circle = make_circle();
+    return circle[std::size_t(u * float(turns)) % turns];
+}
 
 } // namespace
 
@@ -34,15 +52,38 @@ RectangleShape shape_of(const RectangleLight& light, const dvec3& centre, double
     return {vec3((light.centre - 0.5 * (side + other) - centre) / scale), vec3(side / scale), vec3(other / scale)};
 }
 
+Ball ball_around(const LightShape& shape)
+{
+    if (const auto* ball = std::get_if<BallShape>(&shape))
+        return {ball->centre, ball->radius};
+    const RectangleShape& r = std::get<RectangleShape>(shape);
+    return {r.corner + 0.5f * (r.side + r.other), 0.5001f * glm::length(r.side + r.other)};
+}
+
 LightView::LightView(const LightShape& shape, const vec3& from) : shape_(shape), from_(from)
 {
-    const auto* rectangle = std::get_if<RectangleShape>(&shape_);
-    if (!rectangle)
+    std::visit([&](const auto& one) { see(one); }, shape_);
+}
+
+void LightView::see(const BallShape& ball)
+{
+    const vec3 way = ball.centre - from_;
+    cap_.distance = glm::length(way);
+    if (cap_.distance <= ball.radius)
         return;
+    cap_.axis = way / cap_.distance;
+    const TangentFrame around = any_frame(dvec3(cap_.axis));
+    cap_.x = vec3(around.u), cap_.y = vec3(around.v);
+    const float sine = ball.radius / cap_.distance;
+    cap_.depth = sine * sine / (1 + std::sqrt(1 - sine * sine));
+}
+
+void LightView::see(const RectangleShape& rectangle)
+{
     Rectangle& s = seen_;
-    const double width = double(glm::length(rectangle->side)), height = double(glm::length(rectangle->other));
-    s.x = rectangle->side / float(width), s.y = rectangle->other / float(height), s.z = glm::cross(s.x, s.y);
-    const vec3 d = rectangle->corner - from;
+    const double width = double(glm::length(rectangle.side)), height = double(glm::length(rectangle.other));
+    s.x = rectangle.side / float(width), s.y = rectangle.other / float(height), s.z = glm::cross(s.x, s.y);
+    const vec3 d = rectangle.corner - from_;
     s.z0 = double(glm::dot(d, s.z));
     if (s.z0 > 0)
         s.z = -s.z, s.z0 = -s.z0;
@@ -68,18 +109,14 @@ vec3 LightView::place(const vec2& u) const
 
 vec3 LightView::place_on(const BallShape& ball, const vec2& u) const
 {
-    const vec3 way = ball.centre - from_;
-    const float distance = glm::length(way), turn = 2 * float(pi) * u.y;
-    if (distance <= ball.radius) { // within it light comes from all sides
+    const vec2& turn = on_circle(u.y);
+    if (cap_.depth == 0) { // within it light comes from all sides
         const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0f, 1 - z * z));
-        return ball.centre + ball.radius * vec3(r * std::cos(turn), r * std::sin(turn), z);
+        return ball.centre + ball.radius * vec3(r * turn.x, r * turn.y, z);
     }
-    const vec3 axis = way / distance;
-    const float sine = ball.radius / distance, cap = sine * sine / (1 + std::sqrt(1 - sine * sine)); // 1 - cosine of the angle that it fills
-    const float away = u.x * cap, cosine = 1 - away, off = std::sqrt(std::max(0.0f, away * (2 - away)));
-    const TangentFrame around = any_frame(dvec3(axis));
-    const float nearest = distance * cosine - std::sqrt(std::max(0.0f, ball.radius * ball.radius - distance * distance * off * off));
-    return from_ + nearest * (cosine * axis + off * (std::cos(turn) * vec3(around.u) + std::sin(turn) * vec3(around.v)));
+    const float away = u.x * cap_.depth, cosine = 1 - away, off = std::sqrt(std::max(0.0f, away * (2 - away)));
+    const float nearest = cap_.distance * cosine - std::sqrt(std::max(0.0f, ball.radius * ball.radius - cap_.distance * cap_.distance * off * off));
+    return from_ + nearest * (cosine * cap_.axis + off * (turn.x * cap_.x + turn.y * cap_.y));
 }
 
 vec3 LightView::place_on(const RectangleShape& rectangle, const vec2& u) const

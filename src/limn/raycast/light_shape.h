@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "limn/raycast/light.h"
+#include "limn/raycast/occlusion.h"
 
 namespace limn {
 
@@ -22,6 +23,9 @@ using LightShape = std::variant<BallShape, RectangleShape>;
 BallShape shape_of(const SphereLight& light, const dvec3& centre, double scale);
 RectangleShape shape_of(const RectangleLight& light, const dvec3& centre, double scale, const dvec3& up);
 
+/// A ball around a light.
+Ball ball_around(const LightShape& shape);
+
 /// Places of a light, evenly over the directions in which a place sees it: each brings as much light as any other.
 class LightView {
 public:
@@ -33,8 +37,16 @@ private:
     vec3 place_on(const BallShape& ball, const vec2& u) const;
     vec3 place_on(const RectangleShape& rectangle, const vec2& u) const;
 
+    void see(const BallShape& ball);
+    void see(const RectangleShape& rectangle);
+
     LightShape shape_;
     vec3 from_;
+    /// Of a ball: the direction of its middle and two across, and 1 - cosine of the angle that it fills; 0 where the place is in it.
+    struct Cap {
+        vec3 axis, x, y;
+        float distance, depth;
+    } cap_ = {};
     /// Of a rectangle as Ureña, Fajardo and King 2013 ("An area-preserving parametrization for spherical rectangles") have it.
     struct Rectangle {
         vec3 x, y, z;

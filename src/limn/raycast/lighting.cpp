@@ -9,6 +9,7 @@ namespace limn {
 namespace {
 
 constexpr std::uint32_t together = 64;
+constexpr std::uint32_t without_shadow = 16; ///< samples where nothing is hidden: what varies then is smooth
 constexpr int steps = 1024; ///< of the table of linear_from_srgb: between them it is straight within 1e-6
 
 vec3 encoded(const vec3& light) { return {srgb_from_linear(light.x), srgb_from_linear(light.y), srgb_from_linear(light.z)}; }
@@ -63,13 +64,20 @@ void Lighting::look(const Occlusion& occlusion, const vec3& from, std::span<cons
             lit[k] = 0;
 }
 
-float Lighting::unhidden_tone(float tone, const LitPlace& at, const std::optional<vec4>& to) const
+bool Lighting::may_hide(const vec3& from, const Ball& light) const
+{
+    if (!options_.occlusion)
+        return false;
+    const bool ground_may = plane_ && glm::dot(light.centre - plane_->middle(), plane_->up()) < light.radius;
+    return ground_may || options_.occlusion->may_hide(from, light);
+}
+
+float Lighting::unhidden_tone(float tone, const LitPlace& at, const std::optional<LightPlace>& to) const
 {
     if (!options_.occlusion || !to || !(tone > 0))
         return tone;
-    const LightPlace place = {*to, vec2(0.5f)};
     std::uint8_t lit = 1;
-    look(*options_.occlusion, at.off_surface, {&place, 1}, &lit);
+    look(*options_.occlusion, at.off_surface, {&*to, 1}, &lit);
     return lit ? tone : 0.0f;
 }
 
@@ -78,8 +86,13 @@ vec3 Lighting::wide_colour(const LitPlace& at, const PixelSequence& sequence, co
     return environment_ ? colour_from_environment(*environment_, at, sequence, range) : colour_from_shape(at, sequence, range);
 }
 
-vec3 Lighting::colour_from_shape(const LitPlace& at, const PixelSequence& sequence, const SampleRange& range) const
+vec3 Lighting::colour_from_shape(const LitPlace& at, const PixelSequence& sequence, const SampleRange& wanted) const
 {
+    const Ball around = ball_around(*shape_);
+    if (glm::dot(at.normal, around.centre - at.off_surface) + around.radius <= 0)
+        return at.tones.dark; // all of it is behind the surface
+    const bool hides = may_hide(at.off_surface, around);
+    const SampleRange range = hides ? wanted : SampleRange{wanted.first, std::min(wanted.count, without_shadow)};
     const LightView light(*shape_, at.off_surface);
     const auto place = [&](std::uint32_t index, LightPlace& to, float& tone) {
         const vec3 q = light.place(sequence.place(index)), way = q - at.off_surface;
@@ -89,7 +102,7 @@ vec3 Lighting::colour_from_shape(const LitPlace& at, const PixelSequence& sequen
         return tone > 0;
     };
     const auto look_there = [&](std::span<const LightPlace> to, std::uint8_t* lit) {
-        if (options_.occlusion)
+        if (hides)
             look(*options_.occlusion, at.off_surface, to, lit);
         else
             std::fill_n(lit, to.size(), std::uint8_t(1));

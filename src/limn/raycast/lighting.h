@@ -41,7 +41,7 @@ public:
     bool has_wide_light() const { return options_.wide.has_value(); }
 
     /// The tone of a place, where the light has no size: 0 where it is hidden. @param to  the light, or nothing for one at the eye
-    float unhidden_tone(float tone, const LitPlace& at, const std::optional<vec4>& to) const;
+    float unhidden_tone(float tone, const LitPlace& at, const std::optional<LightPlace>& to) const;
     /// Encoded, by a light with a size.
     vec3 wide_colour(const LitPlace& at, const PixelSequence& sequence, const SampleRange& range) const;
     /// An encoded colour, darkened where the place is not open.
@@ -49,7 +49,8 @@ public:
 
 private:
     void look(const Occlusion& occlusion, const vec3& from, std::span<const LightPlace> to, std::uint8_t* lit) const;
-    vec3 colour_from_shape(const LitPlace& at, const PixelSequence& sequence, const SampleRange& range) const;
+    bool may_hide(const vec3& from, const Ball& light) const;
+    vec3 colour_from_shape(const LitPlace& at, const PixelSequence& sequence, const SampleRange& wanted) const;
     vec3 colour_from_environment(const EnvironmentMap& map, const LitPlace& at, const PixelSequence& sequence, const SampleRange& range) const;
     float levels() const { return options_.shading == Shading::toon ? float(options_.toon_levels) : 0.0f; }
 

@@ -125,17 +125,19 @@ struct Shader {
             return {options.dark, options.light};
         return Tones(options.materials[scene.part_of(fragment.object, fragment.triangle)]);
     }
-    /// Where the light is, as Occlusion has it; nothing at the eye.
-    std::optional<vec4> light_place() const
+    /// Where the light is, as Occlusion has it; nothing at the eye. Only the several samples of a pixel on an edge take their chances.
+    std::optional<LightPlace> light_place(const Samples& samples) const
     {
-        return lamp ? std::optional(vec4(*lamp, 1)) : to_light != vec3(0) ? std::optional(vec4(to_light, 0)) : std::nullopt;
+        if (!lamp && to_light == vec3(0))
+            return std::nullopt;
+        return LightPlace{lamp ? vec4(*lamp, 1) : vec4(to_light, 0), samples.range.first == 0 ? vec2(0.5f) : samples.sequence.chance(samples.range.first)};
     }
     /// @param tone  of the light without size, unhidden
     Seen lit(const LitPlace& at, float tone, const Samples& samples) const
     {
         if (!lighting.is_needed())
             return {at.tones.at(tone), vec3(0)};
-        const vec3 sharp = at.tones.at(lighting.has_wide_light() ? tone : lighting.unhidden_tone(tone, at, light_place()));
+        const vec3 sharp = at.tones.at(lighting.has_wide_light() ? tone : lighting.unhidden_tone(tone, at, light_place(samples)));
         const vec3 colour = lighting.has_wide_light() ? lighting.wide_colour(at, samples.sequence, samples.range) : sharp;
         return {lighting.closed_in(colour, at, samples.sequence, samples.range), sharp};
     }

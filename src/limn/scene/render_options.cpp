@@ -97,7 +97,7 @@ ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene,
     if (options.wide)
         result.wide = loaded(*options.wide);
     if (options.shadow == ShadowMethod::rays || (options.shadow == ShadowMethod::automatic && options.wide))
-        result.occlusion = std::make_shared<const RayOcclusion>(*scene.rays);
+        result.occlusion = ray_occlusion(scene);
     if (options.openness > 0)
         result.open_radius = options.openness * scene.scale;
     result.light_samples = options.shadow_samples;

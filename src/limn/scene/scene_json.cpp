@@ -47,7 +47,7 @@ std::variant<std::string, Material> read_own_material(const JsonPlace& place, co
 
 SceneObject read_object(const JsonPlace& place, const Scene& scene, const std::filesystem::path& folder)
 {
-    std::vector<std::string> keys = {"name", "file", "from", "material"};
+    std::vector<std::string> keys = {"name", "file", "from", "material", "shadow-maps"};
     keys.insert(keys.end(), transform_keys.begin(), transform_keys.end());
     place.check_keys(keys);
     place.need({"file"});
@@ -57,6 +57,8 @@ SceneObject read_object(const JsonPlace& place, const Scene& scene, const std::f
         object.name = place.at("name").text();
     if (place.has("from"))
         object.format = place.at("from").text();
+    if (place.has("shadow-maps"))
+        object.shadow_maps = read_path(place.at("shadow-maps"), folder);
     object.transform = read_transform(place);
     if (place.has("material"))
         object.material = read_own_material(place.at("material"), scene.materials);
@@ -73,6 +75,8 @@ Json object_json(const SceneObject& object, const std::filesystem::path& folder,
     json["file"] = path_from(object.file, folder);
     if (!object.format.empty())
         json["from"] = object.format;
+    if (!object.shadow_maps.empty())
+        json["shadow-maps"] = path_from(object.shadow_maps, folder);
     if (object.transform != dmat4(1))
         json["matrix"] = matrix_json(object.transform);
     if (const auto* own = std::get_if<Material>(&object.material))

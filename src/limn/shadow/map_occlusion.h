@@ -45,6 +45,18 @@ public:
             look_at_some(from, to.subspan(first, std::min(together, to.size() - first)), lit + first);
     }
 
+    bool may_hide(const vec3& from, const Ball& light) const override
+    {
+        if (others_ && others_->may_hide(from, light))
+            return true;
+        for (const Object& object : objects_) {
+            const float scale = glm::length(object.place.turn[0]);
+            if (may_be_between(object.place.turn * from + object.place.shift, {object.place.turn * light.centre + object.place.shift, scale * light.radius}, {vec3(0), 1.0f}))
+                return true;
+        }
+        return false;
+    }
+
 private:
     static constexpr std::size_t together = 64;
 
