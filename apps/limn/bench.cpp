@@ -6,6 +6,7 @@
 
 #include "bench_agreement.h"
 #include "bench_lines.h"
+#include "bench_pattern.h"
 #include "bench_render.h"
 #include "bench_shadow.h"
 #include "bench_silhouette.h"
@@ -33,9 +34,10 @@ constexpr const char* examples = R"(Examples:
   limn bench subdivision --sizes 500,8k               Loop subdivision of two control meshes
   limn bench silhouette --models creature,torus       outlines of control meshes, and what they take
   limn bench terrain --models alps.tif --bounds 5,20  triangles within a bound, beside others
+  limn bench pattern                                  analytic filters beside samples
   limn bench shadow --models blob --sizes 256,1024    sizes, errors and times of shadow maps)";
 
-constexpr Benchmark benchmarks[] = {{"lines", bench_lines}, {"render", bench_render}, {"agreement", bench_agreement}, {"subdivision", bench_subdivision}, {"silhouette", bench_silhouette}, {"terrain", bench_terrain}, {"shadow", bench_shadow}};
+constexpr Benchmark benchmarks[] = {{"lines", bench_lines}, {"render", bench_render}, {"agreement", bench_agreement}, {"subdivision", bench_subdivision}, {"silhouette", bench_silhouette}, {"terrain", bench_terrain}, {"pattern", bench_pattern}, {"shadow", bench_shadow}};
 
 const std::vector<std::string> formats = {"md", "json"};
 
@@ -122,7 +124,7 @@ Subcommand add_bench(CLI::App& limn)
     app->add_option("--models", request.models, "shapes of 'limn sample', for agreement files too (lines: default torus,blob; render: blob; agreement: torus,bumpy-torus,rings,knot,blob; subdivision: blob; silhouette, outlines: all control meshes, octahedron,torus; terrain: landforms or height maps, default mountains,reference; shadow: shapes or files)")->delimiter(',')->type_name("NAME,...");
     app->add_option("--views", request.views, "views to take medians over (lines: default 21; render: 12 about each axis; agreement: 8; silhouette: 20; terrain: frames of a flight, 300)")->check(CLI::Range(1, 10000))->type_name("N");
     app->add_option("--bounds", request.bounds, "terrain: how far samples may be from meshes, metres (default 64,16,4)")->delimiter(',')->check(CLI::Range(0.0, 1e9))->type_name("M,M,...");
-    app->add_option("--edges", request.edges, "sizes of square pictures, pixels (render: default 512,1024,2048,4096; agreement: 512; silhouette, distance transforms: 256,512,1024,2048; shadow: of maps, 32,64,128)")->delimiter(',')->check(CLI::Range(16, 16384))->type_name("N,N,...");
+    app->add_option("--edges", request.edges, "sizes of square pictures, pixels (render: default 512,1024,2048,4096; agreement: 512; silhouette, distance transforms: 256,512,1024,2048; pattern: 64; shadow: of maps, 32,64,128)")->delimiter(',')->check(CLI::Range(16, 16384))->type_name("N,N,...");
     app->add_option("--runs", request.runs, "runs (default 7; render: of whole processes, 0: none; subdivision: at least so many, in three rounds)")->check(CLI::Range(0, 1000))->type_name("N");
     app->add_flag("--full", request.full, "render: turn for 10 seconds about each axis, ten times, as the study did; shadow: up to 65,536 maps of 256 x 256");
     add_common_options(*app, command->common,

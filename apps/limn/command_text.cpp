@@ -39,7 +39,7 @@ OptionText describe_option(const CLI::Option& option)
 
 std::vector<std::string> words_in(const std::string& help)
 {
-    static const std::regex choice("[A-Za-z0-9_,.-]+(\\|[A-Za-z0-9_,.-]+)+"), list("[a-z-]+(, [a-z-]+)*"), word("[a-z][a-z0-9-]*");
+    static const std::regex choice("[A-Za-z0-9_,.:-]+(\\|[A-Za-z0-9_,.:-]+)+"), list("[a-z-]+(, [a-z-]+)*"), word("[a-z][a-z0-9-]*");
     std::smatch found;
     std::vector<std::string> words;
     if (std::regex_match(help, list))

@@ -35,7 +35,7 @@ bool take_scene(const CLI::App& app, DrawCommand& command)
     if (scene) {
         const RenderOptions lit = lit_by(scene->lights, scene->render);
         command.areas.to_light = lit.light;
-        command.areas.lamp = lit.lamp;
+        command.areas.lamp = lit.wide ? middle_of(*lit.wide) : lit.lamp;
         command.areas.materials = object_materials(*scene, shape_material(command.pictures.style));
     }
     return app.count("--lines") > 0 || (scene && !scene->lines.lines.empty());

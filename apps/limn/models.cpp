@@ -13,6 +13,7 @@
 #include "limn/geometry/diagnose.h"
 #include "limn/geometry/read_mesh.h"
 #include "limn/geometry/unpaired_edges.h"
+#include "limn/shadow/shape_hash.h"
 
 using namespace limn;
 
@@ -58,6 +59,8 @@ template <class Tell> Loaded load(const SceneObject& object, const ModelOptions&
     loaded.input.format = input_format(file, object.format);
     loaded.input.vertices = read.mesh.positions.size();
     loaded.input.triangles = read.mesh.triangles.size();
+    if (all.hash_shapes)
+        loaded.input.shape = shape_hash(read.mesh);
     loaded.input.notes = read.notes;
     if (all.subdivision.scheme == SubdivisionOptions::Scheme::loop) {
         tell("subdividing " + name, 0.3);

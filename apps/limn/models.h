@@ -15,6 +15,7 @@ struct ModelOptions {
     std::vector<limn::SceneObject> objects; ///< all with files
     limn::PrepareOptions prepare;
     limn::SubdivisionOptions subdivision;
+    bool hash_shapes = false; ///< fills Input::shape
 };
 
 /// What is worth telling of a model that was read.
@@ -23,6 +24,7 @@ struct Input {
     std::string name; ///< that a scene gives it, or ""
     limn::dmat4 transform = limn::dmat4(1); ///< that places it in the world
     std::size_t vertices = 0, triangles = 0;
+    std::uint64_t shape = 0; ///< shape_hash, where it is asked for
     limn::Bounds bounds;                          ///< in the world
     std::vector<std::string> notes;               ///< what is unclean; of a file shown several times, only where it stands first
     std::optional<limn::EstimateReport> estimate; ///< where curvature was estimated in this run

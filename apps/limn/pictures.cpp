@@ -249,6 +249,8 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     command.model.prepare.estimate.need = std::max(command.need, surface_need(command.lines));
     command.model.prepare.crease.angle = command.lines.crease_angle;
     Models models = prepare_models(command.model, console, 0.8 * preparing(command));
+    if (hooks.prepared)
+        hooks.prepared(models);
     const std::vector<Sheet> sheets = all_sheets(command, models);
     if (!models.loops.empty() && !command.lines.lines.empty())
         refine_for(models, cameras_of(sheets), command.model);

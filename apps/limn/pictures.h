@@ -31,6 +31,8 @@ struct PictureCommand {
 
 /// Where the two differ.
 struct PictureHooks {
+    /// Hears of the models when they are read, before anything is written; may be absent.
+    std::function<void(const Models&)> prepared;
     /// Puts what lies under the lines of one view into its drawing.
     std::function<void(limn::Drawing&, const limn::SeenModel&)> underlay;
     /// Lays over that what explains how control meshes were cut; absent: nothing.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "limn/drawing/png.h"
 #include "limn/drawing/raster.h"
 #include "limn/lines/feature_size.h"
+#include "limn/scene/map_shadows.h"
 #include "limn/scene/overlay.h"
 #include "limn/scene/passes.h"
 #include "limn/scene/pixel_painter.h"
@@ -31,6 +33,9 @@ constexpr const char* examples = R"(Examples:
   limn render part.stl -o part.png --background '#ffffff' --view 30,20 --size 1280x720 --bits 16
   limn render vase.glb -o turn.png --turntable 24
   limn render scene.json -o scene.png --view 30,20
+  limn render bunny.ply -o soft.png --ground --light sphere:3,5,2,1 --shadow-samples 64
+  limn render bunny.ply -o fast.png --ground --light sphere:3,5,2,1 --shadow-maps bunny.csm
+  limn render part.stl -o open.png --ao
   limn render creature.obj -o creature.png --subdivision loop
   limn render creature.obj -o how.png --subdivision loop --overlay DE
   limn render bunny.ply -o data.exr --pass kr,depth,normal,id --cameras cameras.json)";
@@ -43,6 +48,13 @@ struct RenderCommand {
     ShaderLineOptions shader_lines;
     std::string passes;
     std::string overlay; ///< letters of draw_overlay
+    std::vector<std::string> shadow_maps; ///< files
+};
+
+/// What hides light beside rays.
+struct Casters {
+    ObjectMaps maps;
+    std::vector<dmat4> transforms;
 };
 
 /// "data-kr.exr" beside "data.exr".
@@ -107,11 +119,34 @@ void check_passes(const RenderCommand& command, const std::vector<Pass>& passes)
             throw Error::Input("--pass writes several files; -o - cannot hold them");
 }
 
-PixelOptions pixel_options(const RenderCommand& command, const SeenModel& model)
+/// The files of maps that the command line and the scene's objects name.
+std::vector<std::filesystem::path> map_files(const RenderCommand& command)
+{
+    std::vector<std::filesystem::path> files(command.shadow_maps.begin(), command.shadow_maps.end());
+    for (const SceneObject& object : command.pictures.model.objects)
+        if (!object.shadow_maps.empty() && std::find(files.begin(), files.end(), object.shadow_maps) == files.end())
+            files.push_back(object.shadow_maps);
+    return files;
+}
+
+Casters casters_of(const Models& models, const std::vector<std::filesystem::path>& files)
+{
+    std::vector<std::uint64_t> shapes;
+    Casters casters;
+    for (const Input& input : models.inputs) {
+        shapes.push_back(input.shape);
+        casters.transforms.push_back(input.transform);
+    }
+    casters.maps = match_maps(files, shapes);
+    return casters;
+}
+
+PixelOptions pixel_options(const RenderCommand& command, const Casters& casters, const SeenModel& model)
 {
     PixelOptions options = {shade_options(command.render, model.scene, model.up), command.image_lines, command.shader_lines,
                             command.pictures.style.line(LineType::contour).colour};
     options.shade.materials = command.materials;
+    hide_by_maps(options.shade, command.render.shadow, casters.maps, casters.transforms, model.scene);
     if (options.shader_lines.method != ShaderMethod::off) {
         options.shader_lines.suggestive_limit = float(command.pictures.lines.suggestive_limit);
         options.shader_lines.feature_size = model_feature_size(model.lines, command.pictures.lines.feature_size);
@@ -129,6 +164,7 @@ void take_scene(const CLI::App& app, RenderCommand& command)
     if (app.count("--light") + app.count("--lamp") > 0) {
         lit.light.reset();
         lit.lamp.reset();
+        lit.wide.reset();
     }
     take_options(app, render_option_table(), lit, command.render);
     take_options(app, image_line_option_table(), scene->image_lines, command.image_lines);
@@ -154,9 +190,17 @@ void run(const CLI::App& app, RenderCommand& command)
     pictures.need = pass_need(passes);
     if (command.shader_lines.method != ShaderMethod::off)
         pictures.need = Need::derivative;
+    if (command.render.wide)
+        load(*command.render.wide); // once for all views
+    const std::vector<std::filesystem::path> maps = map_files(command);
+    pictures.model.hash_shapes = !maps.empty();
+    if (!maps.empty() && pictures.model.subdivision.scheme == SubdivisionOptions::Scheme::loop)
+        throw Error::Input("--shadow-maps: maps are of a mesh as it is, not of what --subdivision makes of it; --shadow ray does without");
     PictureHooks hooks;
+    Casters casters;
+    hooks.prepared = [&](const Models& models) { casters = casters_of(models, maps); };
     PixelPainter painter(pictures.common.device, say_on_standard_error);
-    hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { drawing.background = painter.paint(model, drawing.camera, pixel_options(command, model)); };
+    hooks.underlay = [&](Drawing& drawing, const SeenModel& model) { drawing.background = painter.paint(model, drawing.camera, pixel_options(command, casters, model)); };
     if (!command.overlay.empty())
         hooks.overlay = [&](Drawing& drawing, const LoopView& view, const Models& models) {
             drawing.background = draw_overlay(drawing.background, view, models.loops, drawing.camera, command.overlay);
@@ -190,6 +234,9 @@ Subcommand add_render(CLI::App& limn)
     add_table_options(*app, shader_line_option_table(), command->shader_lines, "Lines per pixel");
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id,lines (or all) to FILE-PASS, and their scales to FILE-passes.json")
         ->type_name("PASS,...")
+        ->group("Shading");
+    app->add_option("--shadow-maps", command->shadow_maps, "maps of a model, made by 'limn shadow bake', that tell where light is hidden; may be given several times")
+        ->type_name("FILE.csm")
         ->group("Shading");
     app->add_option("--overlay", command->overlay,
                     "with --subdivision loop, how the picture came about: A control mesh, B its edges with normals, C crossings, D contour, E triangles, F none")

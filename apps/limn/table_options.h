@@ -16,12 +16,12 @@ template <class Options> std::string describe_range(const limn::OptionRow<Option
     return row.range + unit + (tells ? "; default " + value : "");
 }
 
-/// Adds one row. A yes-or-no row becomes a flag: "--curves" is yes, "--curves=no" is no.
+/// Adds one row. A yes-or-no row becomes a flag: "--curves" is yes, "--curves=no" is no, "--ao=0.5" the number that some take.
 template <class Options> void add_table_row(CLI::App& app, const limn::OptionRow<Options>& row, Options& options, const std::string& group)
 {
     const std::string help = row.help + " (" + describe_range(row, options) + ")";
     auto set = [&options, &row](const std::string& text) { row.set(options, text); };
-    if (row.range == "yes|no") {
+    if (row.range.starts_with("yes|no")) {
         auto value = std::make_shared<std::string>();
         app.add_flag("--" + row.name + "{yes}", *value, help)->each([value, set](const std::string& text) { set(text); })->group(group);
     } else {

@@ -56,7 +56,7 @@ struct Formula {
         const vec4& k [[maybe_unused]], float(&r)[outputs], float(&s)[outputs] [[maybe_unused]]) { __VA_ARGS__ }}
 
 const char* const made_of = R"(
-Lighting lights(const vec3 l, const vec4 k) { Lighting lit = {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; return lit; }
+Illumination lights(const vec3 l, const vec4 k) { Illumination lit = {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; return lit; }
 Finish plastic(const int model, const vec4 k) { Finish f = {model, vec3(0.6f, 0.5f, 0.4f), 0.1f, 1.0f + 20.0f * k.y, 0.2f + 0.3f * k.z, 0.3f + 0.4f * k.w, 0.04f}; return f; }
 BrickPattern wall(const int axes, const vec4 k) { BrickPattern b = {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(0.05f) * k.w, vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0.3f}; return b; }
 ThreadPattern cloth(const int woven, const vec4 k) { ThreadPattern c = {0.06f, 0.04f, vec3(0.3f, 0.4f, 0.6f), 0.3f, 1.0f + 20.0f * k.x, -1.0f, 1.0f, woven}; return c; }
@@ -68,7 +68,7 @@ PatternPoint spot(const vec3 n, const vec3 v, const vec3 t, const vec4 x, const 
     return p;
 }
 )";
-Lighting lights(const vec3 l, const vec4 k) { return {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; }
+Illumination lights(const vec3 l, const vec4 k) { return {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; }
 Finish plastic(const int model, const vec4 k) { return {model, vec3(0.6f, 0.5f, 0.4f), 0.1f, 1.0f + 20.0f * k.y, 0.2f + 0.3f * k.z, 0.3f + 0.4f * k.w, 0.04f}; }
 BrickPattern wall(const int axes, const vec4 k) { return {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(0.05f) * k.w, vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0.3f}; }
 ThreadPattern cloth(const int woven, const vec4 k) { return {0.06f, 0.04f, vec3(0.3f, 0.4f, 0.6f), 0.3f, 1.0f + 20.0f * k.x, -1.0f, 1.0f, woven}; }
@@ -131,12 +131,12 @@ const Formula formulas_of_patterns[] = {
     BOTH("blurred_saw, blurred_pulse, stretch_under", Blur g = blur_along(KERNEL_GAUSS, 1.0f, vec2(0.4f * k.x, 0.4f * k.y)); Blur b = blur_along(KERNEL_BOX, 2.0f, vec2(0.2f + k.x, 0.2f + k.y));
          Stretch m = stretch_under(blurred_saw(x.x, b), blurred_saw(x.x - 0.4f, b), 0.4f, b); r[0] = blurred_pulse(x.x, x.y, k.z, g); r[1] = blurred_pulse(x.x, x.y, k.z, b); r[2] = m.weight;
          r[3] = m.middle * m.weight; r[4] = m.spread; s[0] = 1.0f + 0.02f / (g.a + 0.001f); s[1] = 2.0f;),
-    BOTH("facing, point_falloff, lit_by_point, radiance_around, ambient_around", Lighting lit = lights(l, k); Lighting lamp = lit_by_point(lit, vec3(x.x, x.y, x.z), vec3(1.0f), vec3(0.1f, 0.2f, 1.0f), n);
+    BOTH("facing, point_falloff, lit_by_point, radiance_around, ambient_around", Illumination lit = lights(l, k); Illumination lamp = lit_by_point(lit, vec3(x.x, x.y, x.z), vec3(1.0f), vec3(0.1f, 0.2f, 1.0f), n);
          r[0] = facing(n, l); r[1] = point_falloff(k.x, vec3(0.5f, 1.0f, 2.0f)); r[2] = lamp.light.x; r[3] = lamp.to_light.y; r[4] = radiance_around(lit, v).x; r[5] = ambient_around(lit, n).y;
          s[1] = 2.0f; s[2] = 10.0f;),
     BOTH("phong_lobe, blinn_phong_lobe, schlick, ggx_lobe, ggx_ambient", r[0] = phong_lobe(n, l, v, 20.0f * k.x); r[1] = blinn_phong_lobe(n, l, v, 20.0f * k.x); r[2] = schlick(0.04f, k.y);
          r[3] = ggx_lobe(n, t, l, v, 0.2f + k.x, 0.2f + k.y); r[4] = ggx_ambient(0.04f, 0.01f + 0.99f * k.z, k.w); s[0] = 50.0f; s[1] = 50.0f; s[3] = 20.0f + 40.0f * r[3];),
-    BOTH("reflected, hair_diffuse, hair_specular", Lighting lit = lights(l, k); r[0] = reflected(plastic(FINISH_GGX, k), n, t, v, 0.1f * k.y, lit).x; r[1] = reflected(plastic(FINISH_PHONG, k), n, t, v, 0.0f, lit).y;
+    BOTH("reflected, hair_diffuse, hair_specular", Illumination lit = lights(l, k); r[0] = reflected(plastic(FINISH_GGX, k), n, t, v, 0.1f * k.y, lit).x; r[1] = reflected(plastic(FINISH_PHONG, k), n, t, v, 0.0f, lit).y;
          r[2] = reflected(plastic(FINISH_BLINN_PHONG, k), n, t, v, 0.1f, lit).z; r[3] = reflected(plastic(FINISH_MATTE, k), n, t, v, 0.0f, lit).x; r[4] = hair_diffuse(n, l);
          r[5] = hair_specular(n, l, v, 1.0f + 9.0f * k.x, -1.0f); s[0] = 20.0f + 40.0f * r[0]; s[1] = 20.0f; s[2] = 20.0f; s[4] = 10.0f; s[5] = 10.0f;),
     BOTH("step_on_plane, change_per_pixel", PatternPoint p = spot(n, v, t, x, k); vec3 a = step_on_plane(l, v, n); vec2 c = change_per_pixel(p, l); float steep = 1.0f + 1.0f / max(abs(dot(v, n)), 1e-4f);
@@ -146,18 +146,20 @@ const Formula formulas_of_patterns[] = {
          r[0] = d.x; r[1] = d.y; r[2] = d.z; r[3] = steep < 0.05f ? 0.0f : m.x; r[4] = meet_sphere(d, d * 3.0f + 0.5f * t, 1.0f, k.w > 0.5f); s[3] = 10.0f / (steep * steep); s[4] = 10.0f;),
     BOTH("mortar_part, brick_place, brick_mask, bevels", BrickPattern b = wall(3, k); vec3 at = brick_place(b, vec3(x.x, x.y, x.z)); r[0] = mortar_part(b).y; r[1] = at.x; r[2] = brick_mask(b, vec3(x.x, x.y, x.z));
          r[3] = bevel(0.2f, k.x); r[4] = bevel_slope(0.2f, k.x); r[5] = bevel_difference(0.2f, k.y, 0.05f); s[1] = 20.0f; s[4] = 20.0f; s[5] = 40.0f;),
-    BOTH("bumped, bump_gradient, brick_gradient, brick_colour, ramp_height", BrickPattern b = wall(2, k); vec3 g = brick_gradient(b, vec3(x.x, x.y, x.z)); vec3 h = bump_gradient(b, l, v); r[0] = bumped(n, 2.0f * l).x;
-         r[1] = g.x; r[2] = g.y; r[3] = h.z; r[4] = brick_colour(b, vec3(x.x, x.y, x.z) * 10.0f, k.x).x; r[5] = ramp_height(k.x); s[0] = 10.0f; s[1] = 40.0f; s[2] = 40.0f;),
-    BOTH("brick_at, brick_axis, brick_states, bricks_through", PatternPoint p = spot(n, v, t, x, k); Lighting lit = lights(l, k); BrickPattern b = wall(3, k); Finish f = plastic(FINISH_MATTE, k);
-         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxis a = brick_axis(x.x, 0.1f, 1.0f, g); BrickAxis c = brick_axis(0.5f * x.y, 0.1f, 0.5f, g);
-         r[0] = brick_at(b, f, p.position, p.normal, v, lit).x; r[1] = a.weight[0] + c.weight[2]; r[2] = a.weight[1] * a.middle[1]; r[3] = brick_states(b, f, p, a, c, a, b.brick, lit).x;
-         r[4] = bricks_through(b, f, p, KERNEL_GAUSS, 0.5f, lit).x; r[5] = bricks_through(b, f, p, KERNEL_BOX, 2.0f, lit).y; s[0] = 40.0f; s[1] = 2.0f; s[2] = 10.0f; s[3] = 40.0f; s[4] = 10.0f; s[5] = 10.0f;),
+    BOTH("bumped, bump_gradient, brick_gradient, brick_colour", BrickPattern b = wall(2, k); vec3 g = brick_gradient(b, vec3(x.x, x.y, x.z)); vec3 h = bump_gradient(b, l, v); r[0] = bumped(n, 2.0f * l).x;
+         r[1] = g.x; r[2] = g.y; r[3] = h.z; r[4] = brick_colour(b, vec3(x.x, x.y, x.z) * 10.0f, k.x).x; s[0] = 10.0f; s[1] = 40.0f; s[2] = 40.0f;),
+    BOTH("brick_at, brick_axis, brick_shares, ramps, bricks_through", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); BrickPattern b = wall(3, k); Finish f = plastic(FINISH_MATTE, k);
+         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxis a = brick_axis_at(x.x, 0.1f, g);
+         BrickAxis c = brick_axis(blurred_saw(x.y, g), blurred_saw(x.y - 0.05f, g), blurred_saw(x.y - 0.45f, g), blurred_saw(x.y - 0.5f, g), 0.1f, 0.5f, g); vec3 places = vec3(k.x, k.y, k.z);
+         r[0] = brick_at(b, f, p.position, p.normal, v, lit).x + slope_light(x.x, vec2(k.x, k.y), vec2(k.z, k.w), k.x).x + ramp_light(6.0f * x.x, k.x, 0.3f * k.y, vec2(k.x, k.y), vec2(k.z, k.w), 0.5f).y; r[1] = a.weight[0] + c.weight[2] + brick_shares(b, p, KERNEL_GAUSS, 0.5f).wide; r[2] = a.weight[0] * a.middle[0] + ramp_height(k.x, 0) + ramp_slope(k.x, 0.1f, 2);
+         r[3] = ramp_radiance(b, f, p, t, 0, 1, 2, places, lit).x + ramp_mean(b, f, p, t, 0, 1, 1, places, 0.2f, lit).y; r[4] = bricks_through(b, f, p, KERNEL_GAUSS, 0.5f, lit).x;
+         r[5] = bricks_through(wall(2, k), plastic(FINISH_GGX, k), p, KERNEL_BOX, 2.0f, lit).y; s[0] = 40.0f; s[1] = 2.0f; s[2] = 20.0f; s[3] = 40.0f; s[4] = 40.0f; s[5] = 40.0f;),
     BOTH("sphere_place, sphere_change, tangents", vec2 at = sphere_place(n); vec2 c = sphere_change(n, l); float across = n.x * n.x + n.z * n.z; r[0] = abs(n.y) > 0.99f || abs(n.x) < 1e-3f ? 0.0f : at.x; r[1] = abs(n.y) > 0.99f ? 0.0f : at.y;
          r[2] = across < 0.01f ? 0.0f : c.x; r[3] = across < 0.01f ? 0.0f : c.y; r[4] = level_tangent(n).x; r[5] = upright_tangent(n).y; s[0] = 5.0f; s[1] = 50.0f; s[2] = 100.0f; s[3] = 20.0f;),
-    BOTH("thread_part, thread_mask, thread_lit, thread_at", ThreadPattern c = cloth(1, k); Lighting lit = lights(l, k); vec2 at = sphere_place(n) / 0.1f; vec2 near = abs(fract(at) - vec2(0.5f, 0.5f)); vec2 off = abs(near - vec2(0.3f, 0.3f));
+    BOTH("thread_part, thread_mask, thread_lit, thread_at", ThreadPattern c = cloth(1, k); Illumination lit = lights(l, k); vec2 at = sphere_place(n) / 0.1f; vec2 near = abs(fract(at) - vec2(0.5f, 0.5f)); vec2 off = abs(near - vec2(0.3f, 0.3f));
          float sure = abs(n.y) > 0.9f ? 0.0f : clamp(10.0f * min(min(off.x, off.y), min(0.5f - max(near.x, near.y), min(near.x, near.y))) - 0.05f, 0.0f, 1.0f); r[0] = thread_part(c); r[1] = float(thread_mask(c, vec2(10.0f * x.x, 10.0f * x.y)));
          r[2] = thread_lit(c, t, n, v, lit).x; r[3] = sure * thread_at(c, n, n, v, lit).y; s[2] = 40.0f; s[3] = 40.0f;),
-    BOTH("thread_through", ThreadPattern c = cloth(k.z > 0.5f ? 1 : 0, k); PatternPoint p = spot(n, v, t, vec4(n, 0.0f), k); Lighting lit = lights(l, k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f;
+    BOTH("thread_through", ThreadPattern c = cloth(k.z > 0.5f ? 1 : 0, k); PatternPoint p = spot(n, v, t, vec4(n, 0.0f), k); Illumination lit = lights(l, k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f;
          vec4 a = thread_through(c, p, KERNEL_GAUSS, 0.5f, lit); vec4 b = thread_through(c, p, KERNEL_BOX, 2.0f, lit); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; r[2] = sure ? b.y : 0.0f; r[3] = sure ? b.w : 0.0f;
          s[0] = 20.0f; s[1] = 20.0f; s[2] = 20.0f; s[3] = 20.0f;),
     BOTH("seed_gap, seed_tread, seed_layer_normal, tread_share, slope_tread", LayerPlace place = {x.x, 0.2f, vec2(k.x, k.y)}; float sight = x.y < 0.0f ? -0.1f - 0.9f * k.z : 0.1f + 0.9f * k.z; r[0] = seed_gap(x.x, 0.2f, sight);
@@ -166,10 +168,10 @@ const Formula formulas_of_patterns[] = {
     BOTH("outward, bead_view, bead_phase, bead_point, bead_height, bead_normal, groove_light", vec4 o = outward(n, l); BeadView b = bead_view(0.6f, 0.2f + k.x, x.x, 0.2f + k.y, x.y); float h = mix(b.from, b.to, 0.1f + 0.8f * k.z);
          vec2 at = bead_point(b, h); float size = 1.0f + b.far * b.far; r[0] = o.x; r[1] = bead_phase(b, x.z) * b.period; r[2] = at.x; r[3] = bead_height(b, at); r[4] = bead_normal(b, 0.6f, h).y; r[5] = groove_light(0.6f, at);
          s[0] = 1.0f / max(o.w, 0.01f); s[1] = 10.0f * size; s[2] = 10.0f * size; s[3] = 10.0f * size; s[4] = 100.0f * size; s[5] = s[2];),
-    BOTH("bead_radiance, in_groove", PatternPoint p = spot(n, v, t, x, k); Lighting lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
+    BOTH("bead_radiance, in_groove", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
          bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && length(vec2(v.x, v.y)) > 0.2f; r[0] = in_groove(lit, 0.5f).above.x;
          r[1] = sure ? bead_radiance(stack(LAYERS_BEAD), plastic(FINISH_GGX, k), p, place, g, lit).x : 0.0f; s[1] = 40.0f;),
-    BOTH("layer_state, layer_finish, soft_radiance, layers_through", PatternPoint p = spot(n, v, t, x, k); Lighting lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Finish f = plastic(FINISH_BLINN_PHONG, k);
+    BOTH("layer_state, layer_finish, soft_radiance, layers_through", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Finish f = plastic(FINISH_BLINN_PHONG, k);
          Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change); bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && abs(v.z) > 0.1f; r[0] = sure ? layer_state(stack(LAYERS_SEED), f, p, 0.5f, 0.0f, lit).x : 0.0f;
          r[1] = layer_finish(stack(LAYERS_BEAD), f, place, g).colour.x; r[2] = sure ? soft_radiance(stack(LAYERS_SOFT), f, p, place, -v.z, g, lit).x : 0.0f;
          r[3] = sure ? layers_through(stack(LAYERS_SLOPE), f, p, place, KERNEL_GAUSS, 0.5f, lit).x : 0.0f; r[4] = sure ? layers_through(stack(LAYERS_SEED), f, p, place, KERNEL_BOX, 2.0f, lit).x : 0.0f;

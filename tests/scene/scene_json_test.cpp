@@ -155,6 +155,7 @@ std::string another_value(OptionKind kind, const std::string& name, const std::s
     case OptionKind::number: return range.ends_with("..1") || range.ends_with("..0.999") ? "0.625" : "3.5";
     case OptionKind::whole: return std::to_string(std::stoi(range) + (std::to_string(std::stoi(range) + 3) == usual ? 4 : 3));
     case OptionKind::yes_no: return usual == "yes" ? "no" : "yes";
+    case OptionKind::yes_no_number: return "0.125";
     case OptionKind::colour: return "#123456";
     case OptionKind::vector: return "1,2,3";
     case OptionKind::choice: {
@@ -200,9 +201,34 @@ TEST_F(SceneJson, LightsOfTheRenderOptionsAreWrittenAsLights)
     s.render.light.reset();
     s.render.lamp = dvec3(4, 5, 6);
     EXPECT_EQ(std::get<Lamp>(scene(scene_to_json(s)).lights.at(0)).place, dvec3(4, 5, 6));
+    s.render.wide = SphereLight{{1, 2, 3}, 4};
+    EXPECT_EQ(std::get<SphereLight>(scene(scene_to_json(s)).lights.at(0)).radius, 4);
+    s.render.wide = RectangleLight{{1, 2, 3}, {4, 5}, dvec3(6, 7, 8)};
+    EXPECT_EQ(std::get<RectangleLight>(scene(scene_to_json(s)).lights.at(0)).towards, dvec3(6, 7, 8));
     s.lights = {Headlight()};
+    EXPECT_FALSE(lit_by(s.lights, s.render).wide) << "the list counts";
     EXPECT_TRUE(std::holds_alternative<Headlight>(scene(scene_to_json(s)).lights.at(0)));
     EXPECT_FALSE(lit_by(s.lights, s.render).lamp) << "the list counts";
+}
+
+TEST_F(SceneJson, LightsWithASizeAreRead)
+{
+    const auto light = [&](const std::string& text) { return scene(R"({"limn": 1, "objects": [{"file": "a.ply"}], "lights": [)" + text + "]}"); };
+    const Scene ball = light(R"({"kind": "sphere", "place": [1, 2, 3], "radius": 0.5})");
+    EXPECT_EQ(std::get<SphereLight>(*lit_by(ball.lights, ball.render).wide).centre, dvec3(1, 2, 3));
+    const Scene rectangle = light(R"({"kind": "rectangle", "place": [1, 2, 3], "size": [2, 1]})");
+    EXPECT_EQ(std::get<RectangleLight>(*lit_by(rectangle.lights, rectangle.render).wide).size, dvec2(2, 1));
+    EXPECT_FALSE(std::get<RectangleLight>(rectangle.lights.at(0)).towards);
+    const Scene picture = light(R"({"kind": "environment", "file": "a.ply"})");
+    EXPECT_EQ(Json::parse(scene_to_json(picture, folder_.path()))["lights"][0]["file"], "a.ply");
+    const Scene open = scene(R"({"limn": 1, "objects": [{"file": "a.ply"}], "render": {"ao": true, "shadow": "ray", "shadow-samples": 16}})");
+    EXPECT_EQ(open.render.openness, usual_openness);
+    EXPECT_EQ(open.render.shadow, ShadowMethod::rays);
+    EXPECT_EQ(scene(R"({"limn": 1, "objects": [{"file": "a.ply"}], "render": {"ao": 0.25}})").render.openness, 0.25);
+    EXPECT_EQ(refusal_with(R"("render": {"ao": "much"})"), "render.ao: expected true, false or a number in 0.001..1000 radii, found \"much\"");
+    EXPECT_EQ(refusal_with(R"("lights": [{"kind": "sphere", "place": [1, 2, 3], "radius": 0}])"), "lights[0].radius: expected a number above 0, found 0");
+    EXPECT_EQ(refusal_with(R"("lights": [{"kind": "rectangle", "place": [1, 2, 3], "size": [1, -1]}])"), "lights[0].size: expected [width, height], both above 0, found a list of 2");
+    EXPECT_EQ(refusal_with(R"("lights": [{"kind": "environment", "file": "sky.hdr"}])"), "lights[0].file: there is no file \"sky.hdr\"");
 }
 
 TEST_F(SceneJson, AWholeCameraIsReadAndWritten)
@@ -292,7 +318,7 @@ TEST_F(SceneJson, RefusesWhatIsNotThere)
     EXPECT_EQ(refusal(R"({"limn": 1, "objects": [{"name": "x"}]})"), "objects[0]: the key 'file' is missing");
     EXPECT_EQ(refusal(R"({"limn": 1, "materials": {"clay": {}}, "objects": [{"file": "a.ply", "material": "cley"}]})"),
               "objects[0].material: no material is called \"cley\"; did you mean 'clay'?");
-    EXPECT_EQ(refusal_with(R"("lights": [{"kind": "sun"}])"), "lights[0].kind: expected one of headlight|distant|lamp, found \"sun\"");
+    EXPECT_EQ(refusal_with(R"("lights": [{"kind": "sun"}])"), "lights[0].kind: expected one of headlight|distant|lamp|sphere|rectangle|environment, found \"sun\"");
     EXPECT_EQ(refusal_with(R"("lights": [{"kind": "headlight"}, {"kind": "headlight"}])"),
               "lights: expected one light, which is all a picture is lit by so far, found a list of 2");
 }

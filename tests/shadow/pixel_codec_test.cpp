@@ -69,7 +69,7 @@ TEST(PixelCodec, LosesNothing)
                 ASSERT_GE(found, near + away) << margin;
                 ASSERT_LE(found, far - away) << margin;
                 ASSERT_LT(found, far);
-                const std::span<const Segment> list = lists.list(texel);
+                const std::span<const DepthSegment> list = lists.list(texel);
                 std::size_t i = 0;
                 while (list[i].last < rank)
                     ++i;

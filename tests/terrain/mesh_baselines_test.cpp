@@ -14,7 +14,22 @@ namespace {
 
 using GridTriangle = std::array<ivec2, 3>; ///< samples, counter-clockwise with rows towards the reader
 
-bool has_sample_between(const ivec2& p, const ivec2& q) { return p != q && (p.x - q.x) % 2 == 0 && (p.y - q.y) % 2 == 0; }
+/// Oblique cuts soon want vertices between samples, so they get a map that is so many times finer, linear between the samples of the other.
+constexpr int parts = 4;
+HeightMap finer_map(const HeightMap& map)
+{
+    return map_of((map.columns - 1) * parts + 1, (map.rows - 1) * parts + 1, [&](int x, int y) {
+        const ivec2 p(std::min(x / parts, map.columns - 2), std::min(y / parts, map.rows - 2));
+        const double u = double(x - p.x * parts) / parts, v = double(y - p.y * parts) / parts;
+        return std::lerp(std::lerp(double(map.height(p.x, p.y)), double(map.height(p.x + 1, p.y)), u),
+                         std::lerp(double(map.height(p.x, p.y + 1)), double(map.height(p.x + 1, p.y + 1)), u), v);
+    });
+}
+bool can_be_cut(const ivec2& p, const ivec2& q)
+{
+    const ivec2 d = glm::abs(p - q);
+    return std::max(d.x, d.y) >= 2 * parts && d.x % 2 == 0 && d.y % 2 == 0;
+}
 ivec2 between(const ivec2& p, const ivec2& q) { return {(p.x + q.x) / 2, (p.y + q.y) / 2}; }
 
 /// The parts of a triangle whose sides `split` (from corner i to the next one) get a vertex in their middles: none, one or two of them leave oblique
@@ -44,21 +59,22 @@ void append_oblique_parts(const GridTriangle& t, const std::array<bool, 3>& spli
 }
 
 /// Refinement on the GPU without forced splits (Schmiade 2008): every triangle is cut through the middles of those of its edges that the test finds,
-/// whatever shape that leaves, until no edge is found that has a sample in its middle.
+/// whatever shape that leaves, until no edge is found that is as long as two samples of the map.
+/// @param map  finer_map() of it
 std::vector<GridTriangle> refine_obliquely(const HeightMap& map, const EdgeTest& test)
 {
     const ivec2 last(map.columns - 1, map.rows - 1);
     std::vector<GridTriangle> triangles = {{ivec2(0, last.y), last, ivec2(0, 0)}, {ivec2(last.x, 0), ivec2(0, 0), last}};
     for (std::size_t before = 0; before != triangles.size();) {
         before = triangles.size();
-        std::vector<GridTriangle> finer;
+        std::vector<GridTriangle> cut;
         for (const GridTriangle& t : triangles) {
             std::array<bool, 3> split = {};
             for (std::size_t i = 0; i < 3; ++i)
-                split[i] = has_sample_between(t[i], t[(i + 1) % 3]) && test(t[i], t[(i + 1) % 3]);
-            append_oblique_parts(t, split, finer);
+                split[i] = can_be_cut(t[i], t[(i + 1) % 3]) && test(t[i], t[(i + 1) % 3]);
+            append_oblique_parts(t, split, cut);
         }
-        triangles = std::move(finer);
+        triangles = std::move(cut);
     }
     return triangles;
 }
@@ -178,7 +194,7 @@ Baseline measure(const std::string& name, const HeightMap& map, const std::vecto
     }
     EXPECT_EQ(area, double(map.columns - 1) * double(map.rows - 1)) << name;
     const Baseline b = {triangles.size(), m.maximum, m.rms, smallest_angle(triangles)};
-    fmt::print("[ measured ] within {:g} m, {}: {} triangles, at most {:.2f} m off, RMS {:.2f} m, angles from {:.2f} degrees\n", tolerance,
+    fmt::print("[ measured ] within {:g} m, {}: {} triangles, at most {:.2f} m off, RMS {:.2f} m, angles from {:.3f} degrees\n", tolerance,
                name, b.triangles, b.furthest, b.rms, b.angle);
     return b;
 }
@@ -200,11 +216,11 @@ class MeshBaselines : public testing::TestWithParam<double> {};
 
 TEST_P(MeshBaselines, ObliqueSplittingLeavesSliversAndMissesSamples)
 {
-    const HeightMap map = reference_terrain();
+    const HeightMap map = reference_terrain(), fine = finer_map(map);
     const Lattice lattice = make_lattice(map.columns, map.rows);
-    const std::vector<GridTriangle> triangles = refine_obliquely(map, middle_height_test(map, GetParam()));
-    EXPECT_TRUE(is_conforming(map, triangles));
-    const Baseline oblique = measure("oblique splitting", map, triangles, GetParam());
+    const std::vector<GridTriangle> triangles = refine_obliquely(fine, middle_height_test(fine, GetParam()));
+    EXPECT_TRUE(is_conforming(fine, triangles));
+    const Baseline oblique = measure("oblique splitting", fine, triangles, GetParam());
     const Baseline par = measure(
         "parallel adaptive refinement", map,
         grid_triangles(refine_in_parallel(lattice, root_triangles(lattice), middle_height_test(map, GetParam())).triangles), GetParam());
@@ -232,7 +248,7 @@ TEST_P(MeshBaselines, HoldTheBoundWithMoreTrianglesThanStrictOnes)
     EXPECT_GT(regular.triangles, strict.triangles);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTerrainG, MeshBaselines, testing::Values(8.0, 16.0, 64.0));
+INSTANTIATE_TEST_SUITE_P(OfTerrainG, MeshBaselines, testing::Values(16.0, 64.0));
 
 } // namespace
 } // namespace limn::test

@@ -24,6 +24,7 @@ enum class OptionKind : std::uint8_t {
     choice, ///< one of the words of the range
     yes_no,
     colour, ///< "#rrggbb"
+    yes_no_number, ///< yes, no, or a number in the range after them
     vector, ///< "x,y,z", or the word that stands in the range after it
 };
 

@@ -75,7 +75,7 @@ FORMULA float ggx_ambient(const float f0, const float alpha, const float nv)
 
 // Radiance towards the eye. `t` is a unit tangent: for anisotropic finishes. `spread` is the variance across it (radians squared) of normals
 // that the pixel sees about `n`: they widen highlights.
-FORMULA vec3 reflected(const Finish f, const vec3 n, const vec3 t, const vec3 to_eye, const float spread, const Lighting lit)
+FORMULA vec3 reflected(const Finish f, const vec3 n, const vec3 t, const vec3 to_eye, const float spread, const Illumination lit)
 {
     float cosine = facing(n, lit.to_light);
     vec3 diffuse_light = lit.light * (cosine / BRDF_PI) + ambient_around(lit, n);

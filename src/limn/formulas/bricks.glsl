@@ -91,7 +91,7 @@ FORMULA vec3 brick_colour(const BrickPattern b, const vec3 place, const float fa
 }
 
 // Radiance of a point without any filter.
-FORMULA vec3 brick_at(const BrickPattern b, const Finish f, const vec3 p, const vec3 n, const vec3 to_eye, const Lighting lit)
+FORMULA vec3 brick_at(const BrickPattern b, const Finish f, const vec3 p, const vec3 n, const vec3 to_eye, const Illumination lit)
 {
     Finish own = f;
     own.colour = brick_mask(b, p) > 0.5f ? brick_colour(b, brick_place(b, p), 1.0f) : b.mortar;
@@ -100,90 +100,201 @@ FORMULA vec3 brick_at(const BrickPattern b, const Finish f, const vec3 p, const 
     return reflected(own, bent, normalize(cross(t, bent)), to_eye, 0.0f, lit);
 }
 
-// One axis of the cell under a kernel: plateau and the ramp before and after it.
+// One axis of the cell under a kernel: the ramp up, the plateau, and the ramp down.
 struct BrickAxis {
-    float weight[3]; // of ramp up, plateau, ramp down
-    float middle[3]; // phase of the ramp from its outer end, on average, in [0,1]
-    float spread[3];
+    float weight[3];
+    float middle[3]; // place on the ramp from its outer end, on average, in [0,1]
+    float spread;    // of places on a ramp
 };
 
-// Of a cell of `size` periods of x that starts where x is whole; m is the ramp as a part of the cell.
-FORMULA BrickAxis brick_axis(const float x, const float m, const float size, const Blur blur)
+// From the blurred saws at the cell's start, at the plateau's ends, and at the cell's end. The cell takes `size` periods; m is the ramp as a part
+// of it.
+FORMULA BrickAxis brick_axis(const vec2 start, const vec2 high, const vec2 low, const vec2 end, const float m, const float size, const Blur blur)
 {
     float ramp = m * size;
-    const vec2 ends[4] = { blurred_saw(x, blur), blurred_saw(x - ramp, blur), blurred_saw(x - size + ramp, blur), blurred_saw(x - size, blur) };
+    Stretch up = stretch_under(start, high, ramp, blur);
+    Stretch flat_part = stretch_under(high, low, size - 2.0f * ramp, blur);
+    Stretch down = stretch_under(low, end, ramp, blur);
     BrickAxis axis;
-    for (int k = 0; k < 3; ++k) {
-        Stretch s = stretch_under(ends[k], ends[k + 1], k == 1 ? size - 2.0f * ramp : ramp, blur);
-        axis.weight[k] = s.weight;
-        axis.middle[k] = clamp(0.5f + (k == 0 ? s.middle : -s.middle) / ramp, 0.0f, 1.0f);
-        axis.spread[k] = s.spread / ramp;
-    }
+    axis.weight[0] = up.weight;
+    axis.weight[1] = flat_part.weight;
+    axis.weight[2] = down.weight;
+    axis.middle[0] = clamp(0.5f + up.middle / ramp, 0.0f, 1.0f);
+    axis.middle[1] = 0.5f;
+    axis.middle[2] = clamp(0.5f - down.middle / ramp, 0.0f, 1.0f);
+    axis.spread = max(up.spread, down.spread) / ramp;
     return axis;
 }
 
-// Height at a place of a ramp.
-FORMULA float ramp_height(const float q)
+// Of cells that start where x is whole.
+FORMULA BrickAxis brick_axis_at(const float x, const float m, const Blur blur)
 {
-    return q * q * (3.0f - 2.0f * q);
+    vec2 start = blurred_saw(x, blur);
+    return brick_axis(start, blurred_saw(x - m, blur), blurred_saw(x + m, blur), start, m, 1.0f, blur);
 }
 
-// Radiance of the states that cells have, weighted with the shares of a kernel that lies along the axes.
-FORMULA vec3 brick_states(const BrickPattern b, const Finish f, const PatternPoint p, const BrickAxis u, const BrickAxis v, const BrickAxis w, const vec3 colour, const Lighting lit)
+// Height at a place of a ramp, and its slope along the cell, by the side of the cell that it is on.
+FORMULA float ramp_height(const float q, const int side)
+{
+    return side == 1 ? 1.0f : q * q * (3.0f - 2.0f * q);
+}
+
+FORMULA float ramp_slope(const float q, const float m, const int side)
+{
+    float rise = 6.0f * q * (1.0f - q) / m;
+    return side == 1 ? 0.0f : (side == 0 ? rise : -rise);
+}
+
+// Radiance of mortar at places q of the ramps on three axes.
+FORMULA vec3 ramp_radiance(const BrickPattern b, const Finish mortar, const PatternPoint p, const vec3 t, const int i, const int j, const int l, const vec3 q, const Illumination lit)
 {
     vec3 m = mortar_part(b);
-    vec3 t = normalize(cross(abs(p.normal.y) < 0.9f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f), p.normal));
-    Finish own = f;
-    vec3 sum = vec3(0.0f, 0.0f, 0.0f);
-    for (int k = 0; k < (b.axes == 3 ? 27 : 9); ++k) {
-        int i = k % 3;
-        int j = (k / 3) % 3;
-        int l = b.axes == 3 ? k / 9 : 1;
-        float weight = u.weight[i] * v.weight[j] * (b.axes == 3 ? w.weight[l] : 1.0f);
-        if (weight < 1e-4f)
-            continue;
-        bool flat_there = i == 1 && j == 1 && l == 1;
-        own.colour = flat_there ? colour : b.mortar;
-        if (flat_there || b.bump == vec3(0.0f, 0.0f, 0.0f)) {
-            sum = sum + weight * reflected(own, p.normal, t, p.to_eye, 0.0f, lit);
-            continue;
-        }
-        // Three places on a ramp as Gauss's rule has them; where ramps cross one is enough.
-        bool crossing = (i == 1 ? 0 : 1) + (j == 1 ? 0 : 1) + (l == 1 ? 0 : 1) > 1;
-        for (int node = crossing ? 0 : -1; node <= (crossing ? 0 : 1); ++node) {
-            float off = 1.3416408f * float(node);
-            float part = crossing ? 1.0f : (node == 0 ? 4.0f / 9.0f : 5.0f / 18.0f);
-            vec3 q = clamp(vec3(u.middle[i] + off * u.spread[i], v.middle[j] + off * v.spread[j], w.middle[l] + off * w.spread[l]), vec3(0.0f, 0.0f, 0.0f), vec3(1.0f, 1.0f, 1.0f));
-            vec3 height = vec3(i == 1 ? 1.0f : ramp_height(q.x), j == 1 ? 1.0f : ramp_height(q.y), l == 1 ? 1.0f : ramp_height(q.z));
-            vec3 rise = 6.0f * q * (vec3(1.0f, 1.0f, 1.0f) - q) / m;
-            vec3 slope = vec3(i == 1 ? 0.0f : (i == 0 ? rise.x : -rise.x), j == 1 ? 0.0f : (j == 0 ? rise.y : -rise.y), l == 1 ? 0.0f : (l == 0 ? rise.z : -rise.z));
-            sum = sum + (weight * part) * reflected(own, bumped(p.normal, bump_gradient(b, slope, height)), t, p.to_eye, 0.0f, lit);
-        }
-    }
-    return sum;
+    vec3 height = vec3(ramp_height(q.x, i), ramp_height(q.y, j), ramp_height(q.z, l));
+    vec3 slope = vec3(ramp_slope(q.x, m.x, i), ramp_slope(q.y, m.y, j), ramp_slope(q.z, m.z, l));
+    return reflected(mortar, bumped(p.normal, bump_gradient(b, slope, height)), t, p.to_eye, 0.0f, lit);
 }
 
-// Radiance of a pixel through a kernel so wide: every state of the surface is shaded once and weighted with its share of the kernel.
-FORMULA vec3 bricks_through(const BrickPattern b, const Finish f, const PatternPoint p, const int kernel, const float width, const Lighting lit)
+// The same over a kernel that sees a stretch of one ramp: places as Gauss's rule has them. Both ends of a whole ramp are alike.
+FORMULA vec3 ramp_mean(const BrickPattern b, const Finish mortar, const PatternPoint p, const vec3 t, const int i, const int j, const int l, const vec3 q, const float spread, const Illumination lit)
+{
+    vec3 centre = ramp_radiance(b, mortar, p, t, i, j, l, q, lit);
+    if (spread < 0.06f)
+        return centre;
+    vec3 way = 1.3416408f * spread * vec3(i == 1 ? 0.0f : 1.0f, j == 1 ? 0.0f : 1.0f, l == 1 ? 0.0f : 1.0f);
+    vec3 none_of_it = vec3(0.0f, 0.0f, 0.0f);
+    vec3 all_of_it = vec3(1.0f, 1.0f, 1.0f);
+    vec3 outer = ramp_radiance(b, mortar, p, t, i, j, l, clamp(q - way, none_of_it, all_of_it), lit);
+    vec3 inner = outer;
+    if (spread < 0.28f)
+        inner = ramp_radiance(b, mortar, p, t, i, j, l, clamp(q + way, none_of_it, all_of_it), lit);
+    return centre * (4.0f / 9.0f) + (outer + inner) * (2.5f / 9.0f);
+}
+
+// Matte mortar needs no more of a normal than its cosine to the light and to the sky. Here n and e are those (x: light, y: sky) of the surface and of
+// the axis along it, square is that axis's own, and slope is that of the ramp.
+FORMULA vec2 slope_light(const float slope, const vec2 n, const vec2 e, const float square)
+{
+    vec2 d = (n - e * slope) * inversesqrt(1.0f + slope * slope * square);
+    return vec2(max(d.x, 0.0f), d.y);
+}
+
+// The same over a stretch of a ramp whose slope is `steep` q (1 - q).
+FORMULA vec2 ramp_light(const float steep, const float q, const float spread, const vec2 n, const vec2 e, const float square)
+{
+    vec2 centre = slope_light(steep * q * (1.0f - q), n, e, square);
+    if (spread < 0.06f)
+        return centre;
+    float low = clamp(q - 1.3416408f * spread, 0.0f, 1.0f);
+    vec2 outer = slope_light(steep * low * (1.0f - low), n, e, square);
+    vec2 inner = outer;
+    if (spread < 0.28f) {
+        float high = clamp(q + 1.3416408f * spread, 0.0f, 1.0f);
+        inner = slope_light(steep * high * (1.0f - high), n, e, square);
+    }
+    return centre * (4.0f / 9.0f) + (outer + inner) * (2.5f / 9.0f);
+}
+
+// The shares of a pixel's kernel on the axes of a wall. Rows that are shifted (odd) and rows that are not have shares of their own.
+struct BrickShares {
+    BrickAxis across;
+    BrickAxis shifted;
+    BrickAxis even;
+    BrickAxis odd;
+    BrickAxis deep;
+    float wide; // the kernel's standard deviation, in cells
+};
+
+FORMULA BrickShares brick_shares(const BrickPattern b, const PatternPoint p, const int kernel, const float width)
+{
+    vec3 m = mortar_part(b);
+    vec3 at = p.position / b.cell;
+    Blur along_x = blur_along(kernel, width, vec2(p.right.x, p.down.x) / b.cell.x);
+    Blur pairs = blur_along(kernel, width, vec2(p.right.y, p.down.y) * (0.5f / b.cell.y)); // of rows
+    float y = 0.5f * at.y;
+    float ramp = 0.5f * m.y;
+    vec2 even_start = blurred_saw(y, pairs);
+    vec2 odd_start = blurred_saw(y - 0.5f, pairs);
+    BrickShares s;
+    s.even = brick_axis(even_start, blurred_saw(y - ramp, pairs), blurred_saw(y - 0.5f + ramp, pairs), odd_start, m.y, 0.5f, pairs);
+    s.odd = brick_axis(odd_start, blurred_saw(y - 0.5f - ramp, pairs), blurred_saw(y + ramp, pairs), even_start, m.y, 0.5f, pairs);
+    s.across = brick_axis_at(at.x, m.x, along_x);
+    s.shifted = s.across; // where no row is shifted, and where it does not show
+    if (0.5f + even_start.x - odd_start.x > 1e-4f && blur_variance(along_x) < 0.8f)
+        s.shifted = brick_axis_at(at.x + 0.5f, m.x, along_x);
+    s.deep = s.across;
+    float variance = max(blur_variance(along_x), 4.0f * blur_variance(pairs));
+    if (b.axes == 3) {
+        Blur along_z = blur_along(kernel, width, vec2(p.right.z, p.down.z) / b.cell.z);
+        s.deep = brick_axis_at(at.z, m.z, along_z);
+        variance = max(variance, blur_variance(along_z));
+    }
+    s.wide = sqrt(variance);
+    return s;
+}
+
+// Radiance of a pixel through a kernel so wide: every state of the surface is shaded and weighted with its share of the kernel.
+FORMULA vec3 bricks_through(const BrickPattern b, const Finish f, const PatternPoint p, const int kernel, const float width, const Illumination lit)
 {
     if (kernel == KERNEL_NONE)
         return brick_at(b, f, p.position, p.normal, p.to_eye, lit);
     vec3 m = mortar_part(b);
-    vec3 at = p.position / b.cell;
-    Blur along_x = blur_along(kernel, width, change_per_pixel(p, vec3(1.0f / b.cell.x, 0.0f, 0.0f)));
-    Blur along_y = blur_along(kernel, width, change_per_pixel(p, vec3(0.0f, 1.0f / b.cell.y, 0.0f)));
-    Blur along_z = blur_along(kernel, width, change_per_pixel(p, vec3(0.0f, 0.0f, 1.0f / b.cell.z)));
-    Blur rows = along_y; // counted in pairs of rows
-    rows.a = 0.5f * rows.a;
-    rows.b = 0.5f * rows.b;
-    BrickAxis w = brick_axis(at.z, m.z, 1.0f, along_z);
-    float wide = sqrt(max(blur_variance(along_x), max(blur_variance(along_y), b.axes == 3 ? blur_variance(along_z) : 0.0f)));
-    vec3 colour = brick_colour(b, brick_place(b, p.position), clamp(1.5f - 4.0f * wide, 0.0f, 1.0f));
-    float shifted = blurred_pulse(0.5f * at.y, 0.5f, 0.5f, rows); // share of odd rows
+    BrickShares s = brick_shares(b, p, kernel, width);
+    bool matte = f.model == FINISH_MATTE;
+    bool even_surface = b.bump == vec3(0.0f, 0.0f, 0.0f);
+    vec2 n_light = vec2(dot(p.normal, lit.to_light), dot(p.normal, lit.up));
+    vec3 to_light = lit.to_light - p.normal * n_light.x; // along the surface
+    vec3 to_sky = lit.up - p.normal * n_light.y;
+    vec3 t = normalize(cross(abs(p.normal.y) < 0.9f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f), p.normal));
+    Finish mortar = f;
+    mortar.colour = b.mortar;
     vec3 sum = vec3(0.0f, 0.0f, 0.0f);
-    if (shifted < 0.9999f)
-        sum = brick_states(b, f, p, brick_axis(at.x, m.x, 1.0f, along_x), brick_axis(0.5f * at.y, m.y, 0.5f, rows), w, colour, lit);
-    if (shifted > 0.0001f)
-        sum = sum + brick_states(b, f, p, brick_axis(at.x + 0.5f, m.x, 1.0f, along_x), brick_axis(0.5f * at.y - 0.5f, m.y, 0.5f, rows), w, colour, lit);
+    vec3 lights = vec3(0.0f, 0.0f, 0.0f); // of matte mortar: the light's cosine, the sky's, and their weight
+    float bricks = 0.0f;
+    for (int l = b.axes == 3 ? 0 : 1; l < (b.axes == 3 ? 3 : 2); ++l) {
+        float depth_weight = b.axes == 3 ? s.deep.weight[l] : 1.0f;
+        if (depth_weight < 1e-4f)
+            continue;
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) {
+                float on_even = s.across.weight[i] * s.even.weight[j] * depth_weight;
+                float on_odd = s.shifted.weight[i] * s.odd.weight[j] * depth_weight;
+                float weight = on_even + on_odd;
+                int ramps = (i == 1 ? 0 : 1) + (j == 1 ? 0 : 1) + (l == 1 ? 0 : 1);
+                if (ramps == 0) {
+                    bricks = bricks + weight;
+                    continue;
+                }
+                if (weight < 2e-3f || even_surface) {
+                    if (matte)
+                        lights = lights + vec3(max(n_light.x, 0.0f), n_light.y, 1.0f) * weight;
+                    else if (weight > 1e-5f)
+                        sum = sum + weight * reflected(mortar, p.normal, t, p.to_eye, 0.0f, lit);
+                    continue;
+                }
+                float part = on_even / weight;
+                vec3 q = vec3(mix(s.shifted.middle[i], s.across.middle[i], part), mix(s.odd.middle[j], s.even.middle[j], part), s.deep.middle[l]);
+                float spread = i != 1 ? s.across.spread : (j != 1 ? s.even.spread : s.deep.spread);
+                if (!matte) {
+                    sum = sum + weight * (ramps > 1 ? ramp_radiance(b, mortar, p, t, i, j, l, q, lit) : ramp_mean(b, mortar, p, t, i, j, l, q, spread, lit));
+                } else if (ramps == 1) {
+                    int axis = i != 1 ? 0 : (j != 1 ? 1 : 2);
+                    int side = axis == 0 ? i : (axis == 1 ? j : l);
+                    float steep = (side == 0 ? 6.0f : -6.0f) * b.bump[axis] / m[axis];
+                    vec2 light = ramp_light(steep, q[axis], spread, n_light, vec2(to_light[axis], to_sky[axis]), 1.0f - p.normal[axis] * p.normal[axis]);
+                    lights = lights + vec3(light.x, light.y, 1.0f) * weight;
+                } else {
+                    vec3 height = vec3(ramp_height(q.x, i), ramp_height(q.y, j), ramp_height(q.z, l));
+                    vec3 slope = vec3(ramp_slope(q.x, m.x, i), ramp_slope(q.y, m.y, j), ramp_slope(q.z, m.z, l));
+                    vec3 n = bumped(p.normal, bump_gradient(b, slope, height));
+                    lights = lights + vec3(facing(n, lit.to_light), dot(n, lit.up), 1.0f) * weight;
+                }
+            }
+    }
+    if (matte)
+        sum = sum + b.mortar * (lit.light * (lights.x / BRDF_PI) + lit.below * lights.z + (lit.above - lit.below) * (0.5f * (lights.z + lights.y)));
+    Finish brick = f;
+    brick.colour = brick_colour(b, brick_place(b, p.position), clamp(1.5f - 2.0f * s.wide, 0.0f, 1.0f));
+    if (bricks > 1e-4f)
+        sum = sum + bricks * reflected(brick, p.normal, t, p.to_eye, 0.0f, lit);
     return sum;
 }

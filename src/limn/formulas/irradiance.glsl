@@ -2,7 +2,7 @@
 #pragma once
 
 // What arrives at a point: from one light, and from all around by a sky above and a floor below.
-struct Lighting {
+struct Illumination {
     vec3 to_light; // unit
     vec3 light;    // irradiance on a surface that faces it
     float radius;  // of the light as seen from here, radians
@@ -24,9 +24,9 @@ FORMULA float point_falloff(const float d, const vec3 abc)
 }
 
 // A point light seen from a place.
-FORMULA Lighting lit_by_point(const Lighting around, const vec3 place, const vec3 intensity, const vec3 abc, const vec3 at)
+FORMULA Illumination lit_by_point(const Illumination around, const vec3 place, const vec3 intensity, const vec3 abc, const vec3 at)
 {
-    Lighting lit = around;
+    Illumination lit = around;
     vec3 way = place - at;
     float d = max(length(way), 1e-6f);
     lit.to_light = way / d;
@@ -35,14 +35,14 @@ FORMULA Lighting lit_by_point(const Lighting around, const vec3 place, const vec
 }
 
 // Radiance of sky and floor from a direction.
-FORMULA vec3 radiance_around(const Lighting lit, const vec3 direction)
+FORMULA vec3 radiance_around(const Illumination lit, const vec3 direction)
 {
     float t = clamp(0.5f + 0.5f * dot(direction, lit.up), 0.0f, 1.0f);
     return lit.below + (lit.above - lit.below) * (t * t * (3.0f - 2.0f * t));
 }
 
 // Mean radiance of sky and floor over the hemisphere of a normal, weighted with the cosine.
-FORMULA vec3 ambient_around(const Lighting lit, const vec3 n)
+FORMULA vec3 ambient_around(const Illumination lit, const vec3 n)
 {
     return lit.below + (lit.above - lit.below) * (0.5f + 0.5f * dot(n, lit.up));
 }

@@ -47,6 +47,8 @@ FORMULA vec2 narrow_gauss_saw(const float x, const float sigma)
 {
     float off = x - floor(x + 0.5f);
     float z = abs(off) / sigma;
+    if (z > 5.5f)
+        return vec2(off + (off < 0.0f ? 0.5f : -0.5f), off * off + sigma * sigma + 1.0f / 6.0f - abs(off));
     float density = 0.398942280f * exp(-0.5f * z * z);
     float t = 1.0f / (1.0f + 0.2316419f * z);
     float tail = density * t * (0.319381530f + t * (-0.356563782f + t * (1.781477937f + t * (-1.821255978f + t * 1.330274429f))));
@@ -58,6 +60,8 @@ FORMULA vec2 narrow_gauss_saw(const float x, const float sigma)
 // The Fourier series, of which a wide kernel leaves few terms.
 FORMULA vec2 wide_gauss_saw(const float x, const float sigma)
 {
+    if (sigma > 0.9f)
+        return vec2(0.0f, 0.0f);
     float turn = 6.28318530718f * (x - floor(x));
     float s1 = sin(turn);
     float c1 = cos(turn);

@@ -139,16 +139,16 @@ FORMULA float groove_light(const float bulge, const vec2 at)
     return mix(1.0f, at.x, 0.7f * min(bulge, 1.0f));
 }
 
-FORMULA Lighting in_groove(const Lighting lit, const float open)
+FORMULA Illumination in_groove(const Illumination lit, const float open)
 {
-    Lighting dim = lit;
+    Illumination dim = lit;
     dim.above = lit.above * open;
     dim.below = lit.below * open;
     return dim;
 }
 
 // Radiance of the bead model, each part of an edge shaded once and weighted with its share of the kernel.
-FORMULA vec3 bead_radiance(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const Blur blur, const Lighting lit)
+FORMULA vec3 bead_radiance(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const Blur blur, const Illumination lit)
 {
     float n_up = dot(p.normal, s.up);
     float eye_up = dot(p.to_eye, s.up);
@@ -180,7 +180,7 @@ FORMULA vec3 bead_radiance(const LayerPattern s, const Finish f, const PatternPo
         float reach = part.spread * view.period;
         vec2 n = bead_normal(view, s.bulge, centre);
         vec2 apart = bead_normal(view, s.bulge, min(centre + reach, view.to)) - bead_normal(view, s.bulge, max(centre - reach, view.from));
-        Lighting dim = in_groove(lit, groove_light(s.bulge, bead_point(view, centre)));
+        Illumination dim = in_groove(lit, groove_light(s.bulge, bead_point(view, centre)));
         sum = sum + part.weight * reflected(f, out_dir * n.x + up * n.y, tangent, p.to_eye, 0.25f * dot(apart, apart), dim);
     }
     float treads = clamp(1.0f - (view.to - view.from) / view.period, 0.0f, 1.0f);
@@ -191,7 +191,7 @@ FORMULA vec3 bead_radiance(const LayerPattern s, const Finish f, const PatternPo
 }
 
 // Radiance of a tread or riser of the seed's and of the slope's model.
-FORMULA vec3 layer_state(const LayerPattern s, const Finish f, const PatternPoint p, const float tread, const float spread, const Lighting lit)
+FORMULA vec3 layer_state(const LayerPattern s, const Finish f, const PatternPoint p, const float tread, const float spread, const Illumination lit)
 {
     vec3 n = seed_layer_normal(p.normal, s.up, tread);
     if (s.model == LAYERS_SLOPE && tread > 0.5f)
@@ -216,7 +216,7 @@ FORMULA Finish layer_finish(const LayerPattern s, const Finish f, const LayerPla
 }
 
 // Radiance of the seed's smoothstep: half the tread at a time.
-FORMULA vec3 soft_radiance(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const float sight, const Blur blur, const Lighting lit)
+FORMULA vec3 soft_radiance(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const float sight, const Blur blur, const Illumination lit)
 {
     float reach = min(abs(sight), 1.0f);
     float x = sight < 0.0f ? place.at : -place.at; // from the plane that the line of sight meets, away
@@ -241,7 +241,7 @@ FORMULA vec3 soft_radiance(const LayerPattern s, const Finish f, const PatternPo
 }
 
 // Radiance of a pixel. With KERNEL_NONE: of the point itself.
-FORMULA vec3 layers_through(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const int kernel, const float width, const Lighting lit)
+FORMULA vec3 layers_through(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const int kernel, const float width, const Illumination lit)
 {
     Blur blur = blur_along(kernel, width, place.change);
     Finish own = layer_finish(s, f, place, blur);

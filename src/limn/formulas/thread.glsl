@@ -63,7 +63,7 @@ FORMULA int thread_mask(const ThreadPattern c, const vec2 at)
 }
 
 // Radiance of thread with a tangent, on the side of a normal.
-FORMULA vec3 thread_lit(const ThreadPattern c, const vec3 t, const vec3 n, const vec3 to_eye, const Lighting lit)
+FORMULA vec3 thread_lit(const ThreadPattern c, const vec3 t, const vec3 n, const vec3 to_eye, const Illumination lit)
 {
     float open = mix(1.0f, smoothstep(-0.2f, 0.2f, dot(n, lit.to_light)), c.gate);
     vec3 shine = c.colour * (hair_diffuse(t, lit.to_light) / BRDF_PI) +
@@ -72,7 +72,7 @@ FORMULA vec3 thread_lit(const ThreadPattern c, const vec3 t, const vec3 n, const
 }
 
 // Radiance, premultiplied, and opacity of a place without any filter. n is the sphere's, towards the eye or away.
-FORMULA vec4 thread_at(const ThreadPattern c, const vec3 n, const vec3 seen, const vec3 to_eye, const Lighting lit)
+FORMULA vec4 thread_at(const ThreadPattern c, const vec3 n, const vec3 seen, const vec3 to_eye, const Illumination lit)
 {
     int kind = thread_mask(c, sphere_place(n) / (c.hole + c.thread));
     if (kind == 0)
@@ -82,7 +82,7 @@ FORMULA vec4 thread_at(const ThreadPattern c, const vec3 n, const vec3 seen, con
 
 // The same through a kernel: each kind of thread is shaded once, with its share of the kernel. p's position is the sphere's normal, p's steps
 // are those of the normal.
-FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const int kernel, const float width, const Lighting lit)
+FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const int kernel, const float width, const Illumination lit)
 {
     vec3 n = p.position;
     if (kernel == KERNEL_NONE)
@@ -107,12 +107,15 @@ FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const i
         float v = 2.0f * blurred_pulse(0.5f * at.y, -0.5f * m, m, along_v) - level;
         over = crossing > 1e-6f ? clamp(0.5f + 0.5f * u * v / crossing, 0.0f, 1.0f) : 0.5f;
     }
+    ThreadPattern seen = c; // what the sphere turns within the kernel widens highlights
+    float turn = (kernel == KERNEL_GAUSS ? width * width : width * width / 12.0f) * 0.5f * (dot(p.right, p.right) + dot(p.down, p.down));
+    seen.exponent = c.exponent / (1.0f + c.exponent * min(turn, 1.0f));
     float level_share = level - crossing * (1.0f - over);
     float upright_share = upright - crossing * over;
     vec3 sum = vec3(0.0f, 0.0f, 0.0f);
     if (level_share > 1e-4f)
-        sum = level_share * thread_lit(c, level_tangent(n), p.normal, p.to_eye, lit);
+        sum = level_share * thread_lit(seen, level_tangent(n), p.normal, p.to_eye, lit);
     if (upright_share > 1e-4f)
-        sum = sum + upright_share * thread_lit(c, upright_tangent(n), p.normal, p.to_eye, lit);
+        sum = sum + upright_share * thread_lit(seen, upright_tangent(n), p.normal, p.to_eye, lit);
     return vec4(sum, level_share + upright_share);
 }

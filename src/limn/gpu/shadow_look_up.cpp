@@ -24,7 +24,7 @@ Buffer firsts_of(const SegmentLists& lists)
 
 Buffer runs_of(const SegmentLists& lists)
 {
-    return Buffer(storage_bytes(lists.segments.size(), sizeof(Segment), "segments of depth"), lists.segments.data());
+    return Buffer(storage_bytes(lists.segments.size(), sizeof(DepthSegment), "segments of depth"), lists.segments.data());
 }
 
 } // namespace

@@ -10,12 +10,12 @@ namespace limn {
 
 /// The light of a pattern, in its frame: from far away, or from a place.
 struct PatternLight {
-    formulas::Lighting lighting;      ///< of a light far away; the surroundings
+    formulas::Illumination lighting;      ///< of a light far away; the surroundings
     std::optional<vec3> place;        ///< of a point light
     vec3 intensity = vec3(0);         ///< of it, W/sr
     vec3 falloff = vec3(0, 0, 1);     ///< of it: 1 / (a + b d + c d^2)
 
-    formulas::Lighting at(const vec3& position) const
+    formulas::Illumination at(const vec3& position) const
     {
         return place ? formulas::lit_by_point(lighting, *place, intensity, falloff, position) : lighting;
     }
@@ -33,19 +33,21 @@ struct BrickShader {
     }
 };
 
-/// Cloth around a sphere; the axis is the frame's y. Opacity is 0 in holes, and colours are multiplied with it.
+/// Cloth around a sphere, or laid on any surface from its middle out; the axis is the frame's y. Opacity is 0 in holes, and colours are multiplied
+/// with it.
 struct ThreadShader {
     formulas::ThreadPattern pattern;
     PatternLight light;
     vec3 centre = vec3(0);
-    float radius = 1;
+    float radius = 1; ///< for samples, which lie on the sphere
 
     vec4 at(const formulas::PatternPoint& p, int kernel, float width) const
     {
         formulas::PatternPoint on = p;
         on.position = glm::normalize(p.position - centre);
-        on.right = p.right / radius;
-        on.down = p.down / radius;
+        const float away = glm::length(p.position - centre);
+        on.right = p.right / away;
+        on.down = p.down / away;
         on.normal = glm::dot(on.position, p.to_eye) < 0 ? -on.position : on.position; // of the side that is seen
         return formulas::thread_through(pattern, on, kernel, width, light.at(p.position));
     }

@@ -44,14 +44,21 @@ Camera::Ray FragmentTracer::sight(const dvec2& pixel) const
             camera_.orthographic ? forward_ : glm::normalize(forward_ + side)};
 }
 
-Fragment FragmentTracer::at(const dvec2& pixel) const
+Fragment FragmentTracer::at(const dvec2& pixel) const { return beyond(pixel, nullptr); }
+Fragment FragmentTracer::behind(const dvec2& pixel, const Fragment& fragment) const { return beyond(pixel, &fragment); }
+
+Fragment FragmentTracer::beyond(const dvec2& pixel, const Fragment* before) const
 {
     const auto [eye, direction] = sight(pixel);
     // The float ray starts close to the objects, so that a far eye costs no precision.
     const double skipped = std::max(0.0, -glm::dot(eye, direction) - 1.001 * radius_);
     const dvec3 start = eye + skipped * direction;
 
-    const Hit hit = scene_.rays->closest({vec3(start), vec3(direction)});
+    constexpr double off = 1e-5; // in the frame of the scene, whose objects are about 1 in radius
+    Ray ray = {vec3(start), vec3(direction)};
+    if (before)
+        ray.near = float(glm::dot(dvec3(before->position) - start, direction) + off);
+    const Hit hit = scene_.rays->closest(ray);
     Fragment fragment;
     if (!hit)
         return fragment;

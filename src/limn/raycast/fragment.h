@@ -55,10 +55,14 @@ public:
     FragmentTracer(const SeenScene& scene, const Camera& camera);
     /// @param pixel  x right, y down; pixel centres at .5
     Fragment at(const dvec2& pixel) const;
+    /// What is seen there behind a fragment of the same place.
+    Fragment behind(const dvec2& pixel, const Fragment& fragment) const;
     /// The line of sight there, in the frame of the scene; the direction is a unit vector.
     Camera::Ray sight(const dvec2& pixel) const;
 
 private:
+    Fragment beyond(const dvec2& pixel, const Fragment* before) const;
+
     const SeenScene& scene_;
     Camera camera_;
     dvec3 forward_, right_, above_;

@@ -5,9 +5,12 @@
 
 #include "limn/base/image.h"
 #include "limn/raycast/ground.h"
+#include "limn/raycast/light.h"
 #include "limn/raycast/material.h"
 
 namespace limn {
+
+class Occlusion;
 
 enum class Shading : std::uint8_t {
     smooth,  ///< diffuse, from the interpolated normals
@@ -22,6 +25,11 @@ struct ShadeOptions {
     Shading shading = Shading::smooth;
     std::optional<dvec3> to_light; ///< world direction towards a distant light, any length; absent: a headlight at the eye
     std::optional<dvec3> lamp;     ///< world position of a point light, instead of either
+    std::optional<WideLight> wide; ///< a light with a size, instead of any of them (raycast/lighting.h); gouraud is as smooth under it
+    std::shared_ptr<const Occlusion> occlusion; ///< what hides light, in the frame of the scene; null: nothing does
+    std::optional<double> open_radius; ///< places darken by what is so near to them, world units; infinity: however far
+    int light_samples = 64;        ///< places of a light with a size, and directions of openness, that a pixel looks at, 1..65536
+    dvec3 up = dvec3(0, 1, 0);     ///< of the world, unit: one side of a light that is a rectangle is level, and environments stand upright
     int toon_levels = 2;           ///< tones of toon shading, 2..16
     float toon_limit = 0.3f;       ///< diffuse value below which toon shading is dark, in (0,1)
     vec3 dark = vec3(0.25f);       ///< encoded (sRGB) colour of unlit places
@@ -35,7 +43,8 @@ struct ShadeOptions {
 /// The shaded picture, RGB, of the camera's size. Anti-aliased with a box filter: one ray at each pixel's centre, and
 /// `samples` rays where one of the eight pixels around has another colour; what is narrower than a pixel may be missed where it
 /// hits no centre. Multi-threaded; same bytes for any number of threads.
-/// @throws Error::Input for a number out of range, a light without direction, both kinds of light at once, and materials for
+/// Where light has a size or openness darkens, a pixel on an edge shares the samples of the light among its rays.
+/// @throws Error::Input for a number out of range, a light without direction or size, several kinds of light at once, and materials for
 ///         another number of parts than the scene has.
 Image shade(const SeenScene& scene, const Camera& camera, const ShadeOptions& options = {});
 

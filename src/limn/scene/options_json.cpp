@@ -42,6 +42,7 @@ std::optional<std::string> option_text(OptionKind kind, const Json& value)
     case OptionKind::number:
     case OptionKind::whole: return value.is_number() ? scalar_text(value) : std::nullopt;
     case OptionKind::yes_no: return value.is_boolean() ? std::optional<std::string>(value.get<bool>() ? "yes" : "no") : std::nullopt;
+    case OptionKind::yes_no_number: return option_text(value.is_boolean() ? OptionKind::yes_no : OptionKind::number, value);
     case OptionKind::colour: return value.is_string() ? scalar_text(value) : std::nullopt;
     case OptionKind::choice: return scalar_text(value);
     default: return value.is_structured() ? list_text(value) : scalar_text(value);
@@ -54,6 +55,7 @@ Json option_json(OptionKind kind, const std::string& text)
     case OptionKind::number:
     case OptionKind::whole: return number_json(text);
     case OptionKind::yes_no: return text == "yes";
+    case OptionKind::yes_no_number: return option_json(text == "yes" || text == "no" ? OptionKind::yes_no : OptionKind::number, text);
     default: return text;
     }
 }
@@ -65,6 +67,7 @@ std::string option_wish(OptionKind kind, std::string_view range, std::string_vie
     case OptionKind::number: return fmt::format("a number in {}{}", range, of_unit);
     case OptionKind::whole: return fmt::format("a whole number in {}{}", range, of_unit);
     case OptionKind::yes_no: return "true or false";
+    case OptionKind::yes_no_number: return fmt::format("true, false or a number in {}{}", range.substr(range.rfind('|') + 1), of_unit);
     case OptionKind::colour: return fmt::format("\"{}\"", range);
     default: return fmt::format("{}{}{}", range.find('|') == range.npos ? "" : "one of ", range, of_unit);
     }

@@ -53,6 +53,9 @@ Image shader_lines_on_processor(const SeenModel& model, const Camera& camera, co
 
 } // namespace
 
+/// What the device has no way to compute.
+bool asks_for_visibility(const ShadeOptions& options) { return options.wide || options.occlusion || options.open_radius; }
+
 /// What the device keeps of a model, made when it is first needed.
 struct PixelPainter::OnGpu {
     explicit OnGpu(const SeenModel& of) : model(of.lines), loops(of.loops) {}
@@ -123,7 +126,10 @@ Image PixelPainter::paint_once(const SeenModel& model, const Camera& camera, con
 {
     if (context_ && (!on_gpu_ || &on_gpu_->model != &model.lines))
         on_gpu_ = std::make_unique<OnGpu>(model);
-    Image picture = context_ ? on_gpu_->shaded(camera, options) : lit_on_processor(model, camera, options);
+    const bool lights_on_gpu = context_ && !asks_for_visibility(options.shade);
+    if (context_ && !lights_on_gpu && !may_fall_back_)
+        throw Error::Input("--device gpu: shadows, lights with a size and --ao are computed on the processor; leave the option out");
+    Image picture = lights_on_gpu ? on_gpu_->shaded(camera, options) : lit_on_processor(model, camera, options);
     const Camera fine = finer_camera(camera);
     if (options.image_lines.method != ImageMethod::off)
         lay_over(picture, context_ ? on_gpu_->filtered(fine, options) : filtered_on_processor(model, fine, options), options.ink);

@@ -40,7 +40,8 @@ public:
     PixelPainter(const std::string& device, Say say);
     ~PixelPainter();
 
-    /// @throws Error::Device where "gpu" was asked for and it fails at its work.
+    /// Shadows, lights with a size and openness are computed on the processor.
+    /// @throws Error::Device where "gpu" was asked for and it fails at its work, Error::Input where it was asked for what it does not do.
     Image paint(const SeenModel& model, const Camera& camera, const PixelOptions& options);
     /// "processor", or the name of the GPU.
     std::string device() const;

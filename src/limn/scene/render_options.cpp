@@ -1,6 +1,9 @@
 #include "limn/scene/render_options.h"
 
+#include <limits>
+
 #include "limn/drawing/style.h"
+#include "limn/raycast/occlusion.h"
 
 namespace limn {
 namespace {
@@ -36,6 +39,35 @@ OptionRow<O> vector_row(std::string name, std::string otherwise, std::string hel
     return {name, "", "x,y,z|" + otherwise, std::move(help), set, get, OptionKind::vector};
 }
 
+/// A distant light or one with a size.
+OptionRow<O> light_row()
+{
+    OptionRow<O> row = vector_row("light", "headlight", "direction towards a distant light, or one with a size: a ball, a rectangle (and where it faces), a picture", &O::light);
+    row.range += "|sphere:x,y,z,r|rect:x,y,z,w,h[,x,y,z]|env:FILE.hdr";
+    row.set = [set = row.set](O& options, std::string_view text) {
+        options.wide = wide_light_from_text("light", text);
+        set(options, options.wide ? "headlight" : text);
+    };
+    row.get = [get = row.get](const O& options) { return options.wide ? wide_light_text(*options.wide) : get(options); };
+    row.kind = OptionKind::text;
+    return row;
+}
+
+OptionRow<O> openness_row()
+{
+    OptionRow<O> row = number_row("ao", "radii", 0.001, 1000, "darken places by what is near (ambient occlusion): within so many radii of all models", &O::openness);
+    row.range = "yes|no|" + row.range;
+    row.set = [set = row.set](O& options, std::string_view text) {
+        if (text == "yes" || text == "no")
+            options.openness = text == "yes" ? usual_openness : 0;
+        else
+            set(options, text);
+    };
+    row.get = [](const O& options) { return options.openness == 0 ? "no" : options.openness == usual_openness ? "yes" : fmt::format("{}", options.openness); };
+    row.kind = OptionKind::yes_no_number;
+    return row;
+}
+
 template <class Options> OptionRow<Options> colour_row(std::string name, std::string help, vec3 Options::*member)
 {
     auto set = [=](Options& options, std::string_view text) { options.*member = colour_from_text(name, text); };
@@ -62,6 +94,14 @@ ShadeOptions shade_options(const RenderOptions& options, const SeenScene& scene,
     result.shading = options.shading;
     result.to_light = options.light;
     result.lamp = options.lamp;
+    if (options.wide)
+        result.wide = loaded(*options.wide);
+    if (options.shadow == ShadowMethod::rays || (options.shadow == ShadowMethod::automatic && options.wide))
+        result.occlusion = ray_occlusion(scene);
+    if (options.openness > 0)
+        result.open_radius = options.openness * scene.scale;
+    result.light_samples = options.shadow_samples;
+    result.up = up;
     result.toon_levels = options.toon_levels;
     result.toon_limit = options.toon_limit;
     result.dark = default_material(options).dark();
@@ -81,8 +121,12 @@ const OptionTable<RenderOptions>& render_option_table()
         choice_row<O, Shading>("shading",
                                {{"smooth", Shading::smooth}, {"flat", Shading::flat}, {"toon", Shading::toon}, {"gouraud", Shading::gouraud}, {"normals", Shading::normals}},
                                "how light falls on the surface; gouraud: on its vertices; normals: normals as colours", &O::shading),
-        vector_row("light", "headlight", "direction towards a distant light", &O::light),
+        light_row(),
         vector_row("lamp", "none", "place of a point light", &O::lamp),
+        choice_row<O, ShadowMethod>("shadow", {{"auto", ShadowMethod::automatic}, {"csm", ShadowMethod::maps}, {"ray", ShadowMethod::rays}, {"none", ShadowMethod::nothing}},
+                                    "what tells where light is hidden; auto: maps where given, else rays for lights with a size", &O::shadow),
+        number_row("shadow-samples", "", 1, 4096, "places of a light with a size, and directions of --ao, that a pixel looks at", &O::shadow_samples),
+        openness_row(),
         colour_row("surface-colour", "of lit places", &O::colour),
         number_row("unlit", "", 0, 1, "tone of unlit places, as a part of the colour", &O::shade),
         colour_row("background", "where nothing is seen", &O::background),

@@ -72,10 +72,17 @@ RenderOptions lit_by(const std::vector<Light>& lights, RenderOptions options)
         throw Error::Input(fmt::format("{} lights; a picture is lit by one so far", lights.size()));
     options.light.reset();
     options.lamp.reset();
+    options.wide.reset();
     if (const auto* distant = std::get_if<DistantLight>(&lights.front()))
         options.light = distant->direction;
     if (const auto* lamp = std::get_if<Lamp>(&lights.front()))
         options.lamp = lamp->place;
+    if (const auto* ball = std::get_if<SphereLight>(&lights.front()))
+        options.wide = *ball;
+    if (const auto* rectangle = std::get_if<RectangleLight>(&lights.front()))
+        options.wide = *rectangle;
+    if (const auto* environment = std::get_if<EnvironmentFile>(&lights.front()))
+        options.wide = *environment;
     return options;
 }
 

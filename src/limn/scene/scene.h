@@ -28,6 +28,7 @@ struct SceneObject {
     std::shared_ptr<const Mesh> mesh; ///< the model itself, instead of a file; not null in scenes made in memory
     std::string name;                 ///< for reports; may be ""
     dmat4 transform = dmat4(1);       ///< model to world: rotation, uniform scale and translation
+    std::filesystem::path shadow_maps; ///< of the model (limn shadow bake); "": it has none
     std::variant<std::string, Material> material = ""; ///< the name of one of the scene's materials or one of its own; "": the usual one
 };
 
@@ -41,7 +42,7 @@ struct DistantLight {
 struct Lamp {
     dvec3 place = {0, 0, 0};
 };
-using Light = std::variant<Headlight, DistantLight, Lamp>;
+using Light = std::variant<Headlight, DistantLight, Lamp, SphereLight, RectangleLight, EnvironmentFile>;
 
 /// Where a scene is looked at from: a whole camera, or a side from which all of it is framed.
 struct SceneView {

@@ -4,6 +4,7 @@
 
 #include "limn/base/error.h"
 #include "limn/base/file.h"
+#include "limn/scene/light_json.h"
 #include "limn/scene/options_json.h"
 #include "limn/scene/transform_json.h"
 #include "limn/scene/view_json.h"
@@ -44,32 +45,20 @@ std::variant<std::string, Material> read_own_material(const JsonPlace& place, co
     return name;
 }
 
-std::filesystem::path read_model_path(const JsonPlace& place, const std::filesystem::path& folder)
-{
-    const std::string name = place.text();
-    if (name.empty())
-        place.expected("the name of a file");
-    if (name.find('\0') != std::string::npos)
-        place.refuse("a file's name holds no zero byte");
-    const std::filesystem::path path = folder / name;
-    std::error_code failure;
-    if (!std::filesystem::exists(path, failure))
-        place.refuse(fmt::format("there is no file {}", quoted(name)));
-    return path;
-}
-
 SceneObject read_object(const JsonPlace& place, const Scene& scene, const std::filesystem::path& folder)
 {
-    std::vector<std::string> keys = {"name", "file", "from", "material"};
+    std::vector<std::string> keys = {"name", "file", "from", "material", "shadow-maps"};
     keys.insert(keys.end(), transform_keys.begin(), transform_keys.end());
     place.check_keys(keys);
     place.need({"file"});
     SceneObject object;
-    object.file = read_model_path(place.at("file"), folder);
+    object.file = read_path(place.at("file"), folder);
     if (place.has("name"))
         object.name = place.at("name").text();
     if (place.has("from"))
         object.format = place.at("from").text();
+    if (place.has("shadow-maps"))
+        object.shadow_maps = read_path(place.at("shadow-maps"), folder);
     object.transform = read_transform(place);
     if (place.has("material"))
         object.material = read_own_material(place.at("material"), scene.materials);
@@ -83,9 +72,11 @@ Json object_json(const SceneObject& object, const std::filesystem::path& folder,
     Json json = Json::object();
     if (!object.name.empty())
         json["name"] = object.name;
-    json["file"] = (folder.empty() ? object.file : std::filesystem::proximate(object.file, folder)).generic_string();
+    json["file"] = path_from(object.file, folder);
     if (!object.format.empty())
         json["from"] = object.format;
+    if (!object.shadow_maps.empty())
+        json["shadow-maps"] = path_from(object.shadow_maps, folder);
     if (object.transform != dmat4(1))
         json["matrix"] = matrix_json(object.transform);
     if (const auto* own = std::get_if<Material>(&object.material))
@@ -93,62 +84,6 @@ Json object_json(const SceneObject& object, const std::filesystem::path& folder,
     else if (const std::string& name = std::get<std::string>(object.material); !name.empty())
         json["material"] = name;
     return json;
-}
-
-Light read_light(const JsonPlace& place)
-{
-    if (!place.value().is_object())
-        place.expected("an object");
-    place.need({"kind"});
-    const std::string kind = place.at("kind").text();
-    if (kind == "headlight") {
-        place.check_keys({"kind"});
-        return Headlight();
-    }
-    if (kind == "distant") {
-        place.check_keys({"kind", "direction"});
-        place.need({"direction"});
-        return DistantLight{read_direction(place.at("direction"))};
-    }
-    if (kind == "lamp") {
-        place.check_keys({"kind", "place"});
-        place.need({"place"});
-        return Lamp{read_point(place.at("place"))};
-    }
-    place.at("kind").expected("one of headlight|distant|lamp");
-}
-
-Json vector_json(const dvec3& v) { return {v.x, v.y, v.z}; }
-
-Json light_json(const Light& light)
-{
-    if (const auto* distant = std::get_if<DistantLight>(&light))
-        return {{"kind", "distant"}, {"direction", vector_json(distant->direction)}};
-    if (const auto* lamp = std::get_if<Lamp>(&light))
-        return {{"kind", "lamp"}, {"place", vector_json(lamp->place)}};
-    return {{"kind", "headlight"}};
-}
-
-std::vector<Light> read_lights(const JsonPlace& place)
-{
-    std::vector<Light> lights;
-    for (const JsonPlace& light : place.entries())
-        lights.push_back(read_light(light));
-    if (lights.size() > 1)
-        place.expected("one light, which is all a picture is lit by so far");
-    return lights;
-}
-
-/// The lights of a scene, whichever way it says them.
-std::vector<Light> all_lights(const Scene& scene)
-{
-    if (!scene.lights.empty())
-        return scene.lights;
-    if (scene.render.lamp)
-        return {Lamp{*scene.render.lamp}};
-    if (scene.render.light)
-        return {DistantLight{*scene.render.light}};
-    return {};
 }
 
 void check_version(const JsonPlace& scene)
@@ -201,7 +136,7 @@ Scene scene_from_json(std::string_view text, const std::filesystem::path& file)
         scene.objects.push_back(read_object(object, scene, file.parent_path()));
     if (scene.objects.empty())
         place.at("objects").expected("at least one object");
-    where_given(place, "lights", [&](const JsonPlace& at) { scene.lights = read_lights(at); });
+    where_given(place, "lights", [&](const JsonPlace& at) { scene.lights = read_lights(at, file.parent_path()); });
     where_given(place, "camera", [&](const JsonPlace& at) { scene.view = read_view(at); });
     where_given(place, "surface", [&](const JsonPlace& at) { read_options(at, estimate_option_table(), scene.surface); });
     where_given(place, "subdivision", [&](const JsonPlace& at) { read_options(at, subdivision_option_table(), scene.subdivision); });
@@ -225,7 +160,7 @@ std::string scene_to_json(const Scene& scene, const std::filesystem::path& folde
     for (const SceneObject& object : scene.objects)
         json["objects"].push_back(object_json(object, folder, json["objects"].size()));
     for (const Light& light : all_lights(scene))
-        json["lights"].push_back(light_json(light));
+        json["lights"].push_back(light_json(light, folder));
     if (Json view = view_json(scene.view); !view.empty())
         json["camera"] = std::move(view);
     write_section(json, "surface", estimate_option_table(), scene.surface, usual.surface);

@@ -17,7 +17,7 @@ public:
     float depth(std::size_t texel, std::uint32_t rank) const;
     std::size_t segments() const { return segments_.size(); }
     /// Eight for each segment, and a number for each cube.
-    std::size_t bytes() const { return segments_.size() * sizeof(Segment) + first_.size() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return segments_.size() * sizeof(DepthSegment) + first_.size() * sizeof(std::uint32_t); }
 
 private:
     void end_cube();
@@ -25,7 +25,7 @@ private:
     int size_, order_;
     std::vector<DepthLayers> cube_; ///< its maps so far
     std::vector<std::size_t> first_ = {0};
-    std::vector<Segment> segments_;
+    std::vector<DepthSegment> segments_;
 };
 
 /// How the four coordinates of Hilbert's curve through all texels of all maps are read.
@@ -42,13 +42,13 @@ public:
 
     float depth(std::size_t texel, std::uint32_t rank) const;
     std::size_t segments() const { return segments_.size(); }
-    std::size_t bytes() const { return segments_.size() * sizeof(Segment); }
+    std::size_t bytes() const { return segments_.size() * sizeof(DepthSegment); }
 
 private:
     std::uint32_t size_;
     int order_;
     std::vector<ivec2> cells_; ///< by rank
-    std::vector<Segment> segments_;
+    std::vector<DepthSegment> segments_;
 };
 
 } // namespace limn

@@ -10,7 +10,7 @@
 namespace limn {
 
 /// A depth that stands for all elements of a run: between the first and second surface of each, or no_surface where none of them has one.
-struct Segment {
+struct DepthSegment {
     float depth;
     std::uint32_t last; ///< of the run: a map's rank, or another place on the way that is walked
 };
@@ -43,7 +43,7 @@ struct DepthRun {
 
 /// Appends the fewest runs that cover some elements in their order.
 /// @param at  calls its second argument with the near and the far depth of an element
-template <class At> void append_runs(std::vector<Segment>& segments, std::size_t count, At&& at)
+template <class At> void append_runs(std::vector<DepthSegment>& segments, std::size_t count, At&& at)
 {
     DepthRun run;
     for (std::size_t i = 0; i < count; ++i)

@@ -81,8 +81,8 @@ HaarLayers transform_lists(const SegmentLists& lists, std::size_t size)
     std::vector<std::int32_t> depths(texels), lengths(texels);
     for (std::size_t layer = 0; layer < sum.layers; ++layer) {
         for (std::size_t texel = 0; texel < texels; ++texel) {
-            const std::span<const Segment> list = lists.list(texel);
-            const Segment& s = list[std::min(layer, list.size() - 1)];
+            const std::span<const DepthSegment> list = lists.list(texel);
+            const DepthSegment& s = list[std::min(layer, list.size() - 1)];
             depths[texel] = s.depth == no_surface ? no_depth : std::int32_t(std::lround(double(s.depth) * (no_depth - 1)));
             lengths[texel] = layer >= list.size() ? 0 : std::int32_t(s.last + 1 - (layer > 0 ? list[layer - 1].last + 1 : 0));
         }

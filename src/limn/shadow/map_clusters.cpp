@@ -111,8 +111,8 @@ RepairedLists::RepairedLists(const std::vector<DepthLayers>& maps, const MapClus
 
 float RepairedLists::depth(std::size_t texel, std::uint32_t rank) const
 {
-    const std::span<const Segment> list = repairs_.list(texel);
-    const auto found = std::lower_bound(list.begin(), list.end(), rank, [](const Segment& s, std::uint32_t r) { return s.last < r; });
+    const std::span<const DepthSegment> list = repairs_.list(texel);
+    const auto found = std::lower_bound(list.begin(), list.end(), rank, [](const DepthSegment& s, std::uint32_t r) { return s.last < r; });
     return found != list.end() && found->last == rank ? found->depth : lists_.depth(texel, rank);
 }
 

@@ -16,12 +16,12 @@ public:
     float depth(std::size_t texel, std::uint32_t rank) const;
     std::size_t segments() const { return segments_.size(); }
     /// Eight for each segment, and a number for each map.
-    std::size_t bytes() const { return segments_.size() * sizeof(Segment) + first_.size() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return segments_.size() * sizeof(DepthSegment) + first_.size() * sizeof(std::uint32_t); }
 
 private:
     std::vector<std::uint32_t> texels_, places_; ///< of each place on the curve; and of each texel its place
     std::vector<std::size_t> first_ = {0};
-    std::vector<Segment> segments_;
+    std::vector<DepthSegment> segments_;
 };
 
 } // namespace limn

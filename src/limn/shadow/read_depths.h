@@ -17,7 +17,7 @@ struct MapPlace {
 /// A depth source that keeps the runs of each texel one after the other.
 template <class Depths>
 concept RunLists = requires(const Depths& source, std::size_t texel) {
-    { source.list(texel) } -> std::convertible_to<std::span<const Segment>>;
+    { source.list(texel) } -> std::convertible_to<std::span<const DepthSegment>>;
 };
 
 /// A depth source that reads many at once in a way of its own.
@@ -32,7 +32,7 @@ template <class Depths> void read_depths(const Depths& source, std::span<const M
     } else if constexpr (RunLists<Depths>) {
         constexpr std::size_t most = 64;
         struct Search {
-            const Segment* first;
+            const DepthSegment* first;
             std::uint32_t count, rank;
         };
         std::array<Search, most> searches;
@@ -40,7 +40,7 @@ template <class Depths> void read_depths(const Depths& source, std::span<const M
             const std::size_t count = std::min(most, places.size() - begin);
             std::uint32_t longest = 0;
             for (std::size_t k = 0; k < count; ++k) {
-                const std::span<const Segment> list = source.list(places[begin + k].texel);
+                const std::span<const DepthSegment> list = source.list(places[begin + k].texel);
                 searches[k] = {list.data(), std::uint32_t(list.size()), places[begin + k].rank};
                 longest = std::max(longest, searches[k].count);
                 __builtin_prefetch(list.data() + (list.size() >> 1));

@@ -12,11 +12,11 @@ StoredSegments::StoredSegments(std::string_view bytes, std::size_t texels, std::
 {
     const auto fail = [&](const std::string& what) { throw Error::Read(fmt::format("{}: its lists of segments are damaged: {}", name, what)); };
     const std::size_t table = (texels + 1) * sizeof(std::uint32_t);
-    if (bytes.size() < table || (bytes.size() - table) % sizeof(Segment) != 0)
+    if (bytes.size() < table || (bytes.size() - table) % sizeof(DepthSegment) != 0)
         fail(fmt::format("{} bytes for {} texels", bytes.size(), texels));
     first_ = reinterpret_cast<const std::uint32_t*>(bytes.data());
-    segments_ = reinterpret_cast<const Segment*>(bytes.data() + table);
-    count_ = (bytes.size() - table) / sizeof(Segment);
+    segments_ = reinterpret_cast<const DepthSegment*>(bytes.data() + table);
+    count_ = (bytes.size() - table) / sizeof(DepthSegment);
     if (first_[0] != 0 || first_[texels] != count_)
         fail(fmt::format("{} segments, and lists of {}", count_, first_[texels]));
     for (std::size_t texel = 0; texel < texels; ++texel)
@@ -34,7 +34,7 @@ std::string stored_bytes(const SegmentLists& lists)
         const auto place = std::uint32_t(first);
         bytes.append(reinterpret_cast<const char*>(&place), sizeof place);
     }
-    bytes.append(reinterpret_cast<const char*>(lists.segments.data()), lists.segments.size() * sizeof(Segment));
+    bytes.append(reinterpret_cast<const char*>(lists.segments.data()), lists.segments.size() * sizeof(DepthSegment));
     return bytes;
 }
 

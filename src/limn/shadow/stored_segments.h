@@ -18,14 +18,14 @@ public:
     /// @throws Error::Read naming `name` where the lists are none of so many texels and maps
     StoredSegments(std::string_view bytes, std::size_t texels, std::uint32_t maps, const std::string& name);
 
-    std::span<const Segment> list(std::size_t texel) const { return {segments_ + first_[texel], segments_ + first_[texel + 1]}; }
+    std::span<const DepthSegment> list(std::size_t texel) const { return {segments_ + first_[texel], segments_ + first_[texel + 1]}; }
     /// Between the first and second surface of the texel in the map of that rank; no_surface where there is none.
     float depth(std::size_t texel, std::uint32_t rank) const { return segment_of(list(texel), rank).depth; }
     std::size_t count() const { return count_; } ///< of segments
 
 private:
     const std::uint32_t* first_ = nullptr;
-    const Segment* segments_ = nullptr;
+    const DepthSegment* segments_ = nullptr;
     std::size_t count_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "limn/terrain/gdal.h"
 
 #include <cerrno>
+#include <cpl_multiproc.h>
 #include <cstring>
 #include <unistd.h>
 
@@ -56,16 +57,22 @@ void check_file(const std::string& path)
         throw Error::Read(fmt::format("{}: is empty", path));
 }
 
-} // namespace
-
-void prepare()
-{
-    [[maybe_unused]] static const bool once = [] {
+/// GDAL with all its formats. What it keeps for the main thread goes at the end; of other threads it does that itself.
+class Library {
+public:
+    Library()
+    {
         GDALAllRegister();
         GDALSetCacheMax64(cache_bytes);
-        return true;
-    }();
-}
+    }
+    ~Library() { CPLCleanupTLS(); }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+};
+
+} // namespace
+
+void prepare() { [[maybe_unused]] static const Library library; }
 
 Reports::Reports() { CPLPushErrorHandlerEx(take, this); }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "limn/raycast/ground.h"
+
+namespace limn {
+
+/// How much light reaches a ground under objects: of a wide light, and of the sky. Found by rays on a grid, and smooth between.
+class GroundShadow {
+public:
+    /// @param to_light  unit. Multi-threaded; the same for any number of threads.
+    GroundShadow(const SeenScene& scene, const GroundPlane& plane, const vec3& to_light);
+    /// In [0,1], at a place of the ground.
+    float light(const vec3& place) const;
+
+private:
+    vec3 middle_, right_, ahead_;
+    float reach_; ///< half a side of the grid
+    std::vector<float> values_;
+};
+
+} // namespace limn

@@ -1,0 +1,146 @@
+// Checklist 10 to 14 of the procedural structures specification: bricks.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "limn/base/random.h"
+#include "limn/formulas/formulas.h"
+
+namespace limn {
+namespace {
+
+using namespace formulas;
+
+/// The seed's bricks with its literal bump.
+BrickPattern wall(int axes) { return {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(1), vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0}; }
+
+TEST(Checklist10, AWallHasTheSharesAndPlacesOfTheSpecification)
+{
+    const BrickPattern b = wall(2);
+    int inside = 0;
+    const int n = 1000;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x)
+            inside += brick_mask(b, vec3(0.52f * (float(x) + 0.5f) / n, 0.36f * (float(y) + 0.5f) / n, 0)) > 0.5f;
+    EXPECT_NEAR(double(inside) / (n * n), 0.8547, 0.002);
+    EXPECT_EQ(brick_mask(b, {0.26f, 0.09f, 0}), 1.0f);
+    EXPECT_EQ(brick_mask(b, {0, 0.09f, 0}), 0.0f);
+    EXPECT_EQ(brick_mask(b, {0.005f, 0.27f, 0}), 1.0f) << "odd rows are shifted";
+    EXPECT_EQ(brick_mask(b, {0.005f, -0.09f, 0}), 1.0f) << "row -1 is odd";
+    EXPECT_NEAR(mortar_part(b).x, 0.01923f, 1e-5f);
+    EXPECT_NEAR(mortar_part(b).y, 0.05556f, 1e-5f);
+    EXPECT_NEAR(mortar_part(b).z, 0.04762f, 1e-5f);
+}
+
+TEST(Checklist11, SolidBricksFillTheirShareAndShowTheWallOnTheirFaces)
+{
+    const BrickPattern solid = wall(3), flat = wall(2);
+    int inside = 0, differ = 0;
+    const int n = 400000;
+    for (int i = 0; i < n; ++i) {
+        Random random(2, std::uint64_t(i));
+        const vec3 p = {float(random.uniform(-2.6, 2.6)), float(random.uniform(-1.8, 1.8)), float(random.uniform(-2.1, 2.1))};
+        inside += brick_mask(solid, p) > 0.5f;
+        differ += brick_mask(solid, vec3(p.x, p.y, 0.1f)) != brick_mask(flat, p);
+    }
+    EXPECT_NEAR(double(inside) / n, 0.7733, 0.003);
+    EXPECT_EQ(differ, 0);
+}
+
+TEST(Checklist11, BricksCanBeCarvedToASphere)
+{
+    const BrickPattern b = wall(3);
+    int bricks = 0, all = 0;
+    for (int i = 0; i < 100000; ++i) {
+        Random random(4, std::uint64_t(i));
+        const vec3 n = glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal())));
+        bricks += brick_mask(b, 2.0f * n) > 0.5f;
+        ++all;
+    }
+    EXPECT_NEAR(double(bricks) / all, 0.7733, 0.03);
+}
+
+TEST(Checklist12, BevelsHaveTheSlopesOfTheSpecificationAndFlatTops)
+{
+    const BrickPattern b = wall(2);
+    const float m = mortar_part(b).x;
+    EXPECT_NEAR(bevel_difference(m, 0.5f * m, 0.002f), 76.9f, 0.8f);
+    EXPECT_NEAR(bevel_slope(m, 0.5f * m), 78.0f, 0.1f);
+    EXPECT_EQ(bumped({0, 0, 1}, brick_gradient(b, {0.26f, 0.09f, 0})), vec3(0, 0, 1));
+}
+
+TEST(Checklist12, LightFromTheUpperLeftBrightensLeftAndTopBevels)
+{
+    const BrickPattern b = wall(2);
+    const vec3 light = glm::normalize(vec3(-1, 1, 1));
+    const auto lit = [&](float x, float y) { return facing(bumped({0, 0, 1}, brick_gradient(b, {x, y, 0})), light); };
+    const float left = lit(0.005f, 0.09f), right = lit(0.515f, 0.09f), bottom = lit(0.26f, 0.005f), top = lit(0.26f, 0.175f), middle = lit(0.26f, 0.09f);
+    EXPECT_GT(left, middle * 0.9f);
+    EXPECT_GT(top, middle * 0.9f);
+    EXPECT_LT(right, 0.3f * left);
+    EXPECT_LT(bottom, 0.3f * top);
+}
+
+TEST(Checklist12, EveryFaceOfABoxIsBentAlongItsOwnAxes)
+{
+    const BrickPattern b = wall(3);
+    for (int axis = 0; axis < 3; ++axis) {
+        vec3 n(0);
+        n[axis] = 1;
+        vec3 p = vec3(0.26f, 0.09f, 0.105f); // the middle of a brick
+        const int along = (axis + 1) % 3, across = (axis + 2) % 3;
+        p[along] = 0.25f * b.joint; // on a bevel at the start of the cell
+        const vec3 bent = bumped(n, brick_gradient(b, p));
+        EXPECT_LT(bent[along], -0.5f) << axis;
+        EXPECT_NEAR(bent[across], 0, 1e-5f) << axis;
+    }
+}
+
+TEST(Checklist13, SmoothBevelsAreAsWideAsTheMortarAndHardOnesAsTheDifference)
+{
+    const float m = 0.1f, delta = 0.002f;
+    const int n = 100000;
+    int smooth = 0, hard = 0;
+    for (int i = 0; i < n; ++i) {
+        const float x = (float(i) + 0.5f) / n;
+        smooth += bevel_slope(m, x) != 0;
+        hard += pulse(m, x + delta) != pulse(m, x - delta);
+    }
+    EXPECT_NEAR(double(smooth) / n, 2 * double(m), 1e-3);
+    EXPECT_NEAR(double(hard) / n, 2 * 2 * double(delta), 1e-3);
+}
+
+TEST(Checklist14, LightingInTheTangentFrameIsThatInTheWorld)
+{
+    for (int i = 0; i < 500; ++i) {
+        Random random(6, std::uint64_t(i));
+        const auto direction = [&] { return glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal()))); };
+        const vec3 n = direction(), t = glm::normalize(glm::cross(n, direction())), b = glm::cross(n, t), light = direction();
+        const float u = float(random.normal()), v = float(random.normal());
+        const glm::mat3 rows = glm::transpose(glm::mat3(t, b, n)); // to the tangent frame
+        const float inside = facing(glm::normalize(vec3(-u, -v, 1)), rows * light), world = facing(bumped(n, u * t + v * b), light);
+        EXPECT_NEAR(inside, world, 1.0f / 255);
+    }
+}
+
+// Matte walls have a shorter way of their own.
+TEST(Bricks, MatteOnesLookAsThoseWithAHighlightOfNoStrength)
+{
+    for (int i = 0; i < 3000; ++i) {
+        Random random(22, std::uint64_t(i));
+        const auto direction = [&] { return glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal()))); };
+        const auto number = [&](double size) { return float(random.uniform(-size, size)); };
+        BrickPattern b = wall(i % 2 == 0 ? 2 : 3);
+        b.bump = vec3(0.03f);
+        const vec3 n = i % 3 == 0 ? vec3(0, 0, 1) : direction();
+        const float size = std::exp(number(4));
+        const PatternPoint p = {{number(2), number(2), number(2)}, n, n, size * 0.1f * vec3(number(1), number(1), number(1)), size * 0.1f * vec3(number(1), number(1), number(1))};
+        const Illumination lit = {direction(), vec3(2), 0, direction(), vec3(0.5f), vec3(0.1f)};
+        const vec3 matte = bricks_through(b, {FINISH_MATTE, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit), phong = bricks_through(b, {FINISH_PHONG, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit);
+        EXPECT_LT(glm::length(matte - phong), 2e-4f);
+    }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,301 @@
+// Checklist 19 to 22 of the procedural structures specification: layers of a print, held against rays that meet real steps.
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "limn/base/error.h"
+#include "limn/base/random.h"
+#include "limn/pattern/pattern_shader.h"
+
+namespace limn {
+namespace {
+
+using namespace formulas;
+
+LayerPattern layers(int model, const vec3& up = {0, 1, 0}) { return {model, up, 0, 0.2f, 0.5f, 0}; }
+Finish plastic() { return {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 0.3f, 0.4f, 0.04f}; }
+PatternLight light(const vec3& to) { return {{glm::normalize(to), vec3(2), 0, {0, 1, 0}, vec3(0.1f), vec3(0.05f)}, {}, {}, {}}; }
+
+vec3 direction(Random& random) { return glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal()))); }
+
+TEST(Checklist19, TheLiteralShareOfTreadsIsThatOfTheLineOfSight)
+{
+    const float l = 0.02f;
+    for (const float sight : {-0.9f, -0.5f, -0.1f, 0.1f, 0.3f, 0.5f, 0.9f}) {
+        int treads = 0;
+        const int n = 20000;
+        for (int i = 0; i < n; ++i) {
+            const float at = 50 * (float(i) + 0.5f) / n;
+            treads += seed_tread(layers(LAYERS_SEED), {at, l, vec2(0)}, sight) > 0.5f;
+        }
+        EXPECT_NEAR(double(treads) / n, double(std::abs(sight)), 0.01);
+    }
+}
+
+TEST(Checklist19, TheNextLayerPlaneIsThatOfTheLineOfSight)
+{
+    // l - t, where t is the way to the plane below or above.
+    EXPECT_NEAR(seed_gap(3.25f, 0.02f, -0.5f), 0.02f - 0.25f * 0.02f / 0.5f, 1e-6f);
+    EXPECT_NEAR(seed_gap(3.25f, 0.02f, 0.5f), 0.02f - 0.75f * 0.02f / 0.5f, 1e-6f);
+}
+
+TEST(Checklist19, NothingIsNotANumber)
+{
+    for (int i = 0; i < 20000; ++i) {
+        Random random(10, std::uint64_t(i));
+        vec3 n = direction(random), w = direction(random);
+        if (i % 7 == 0)
+            n = {1, 0, 0};
+        if (i % 11 == 0)
+            n = {0, i % 2 == 0 ? 1.0f : -1.0f, 0};
+        if (i % 5 == 0)
+            w = glm::normalize(vec3(w.x, 0, w.z));
+        if (i % 13 == 0)
+            w = {0, i % 3 == 0 ? 1.0f : -1.0f, 0};
+        const PatternPoint p = {vec3(0), n, -w, vec3(0.01f, 0, 0), vec3(0, 0.01f, 0)};
+        for (const int model : {LAYERS_SEED, LAYERS_SOFT, LAYERS_SLOPE, LAYERS_BEAD})
+            for (const int kernel : {KERNEL_NONE, KERNEL_GAUSS, KERNEL_BOX}) {
+                const vec3 c = layers_through(layers(model), plastic(), p, {float(random.uniform(-9, 9)), 0.02f, vec2(0.3f, i % 17 == 0 ? 1e30f : 0.1f)}, kernel, 1, light({1, 1, 1}).lighting);
+                EXPECT_TRUE(std::isfinite(c.x + c.y + c.z)) << model << " " << kernel;
+            }
+    }
+    EXPECT_EQ(seed_layer_normal({1, 0, 0}, {0, 1, 0}, 1), vec3(1, 0, 0));
+    EXPECT_EQ(seed_layer_normal({0, 1, 0}, {0, 1, 0}, 0), vec3(0, 1, 0));
+}
+
+/// Steps on a slope x = -y cot in the plane of the line of sight, layer j between heights j and j + 1, its edge where the slope is at mid-layer.
+struct Steps {
+    double cot;
+    double bulge; ///< 0: flat risers
+    double edge(int j) const { return -(j + 0.5) * cot; }
+};
+
+struct Met {
+    bool tread = false;
+    dvec2 normal = dvec2(0); ///< out and up
+};
+
+/// What a line of sight through a place of the slope meets first, from far outside. Directions are out and up.
+Met meet(const Steps& steps, const dvec2& place, const dvec2& sight)
+{
+    double first = 1e30;
+    Met met;
+    const int middle = int(std::floor(place.y));
+    for (int j = middle - 40; j <= middle + 40; ++j) {
+        const double half = steps.bulge * 0.5, centre = steps.edge(j) - half, next = steps.edge(j + 1) - half;
+        if (sight.y != 0) { // the tread on layer j
+            const double t = (j + 1 - place.y) / sight.y, x = place.x + t * sight.x;
+            if (x <= std::max(centre, next) && x >= std::min(centre, next) && t < first)
+                first = t, met = {true, {0, next <= centre ? 1 : -1}};
+        }
+        if (half == 0) {
+            const double t = (centre - place.x) / sight.x, y = place.y + t * sight.y;
+            if (y >= j && y <= j + 1 && t < first)
+                first = t, met = {false, {1, 0}};
+            continue;
+        }
+        const dvec2 scale = {1 / half, 2}, from = (place - dvec2(centre, j + 0.5)) * scale, along = sight * scale;
+        const double a = glm::dot(along, along), b = glm::dot(from, along), d = b * b - a * (glm::dot(from, from) - 1);
+        if (d < 0)
+            continue;
+        const double t = (-b - std::sqrt(d)) / a;
+        const dvec2 at = from + t * along;
+        if (at.x >= 0 && t < first)
+            first = t, met = {false, glm::normalize(at * scale)};
+    }
+    return met;
+}
+
+struct Look {
+    double cot, at;
+    dvec2 normal, sight; ///< of the slope; of the eye's ray
+};
+
+/// A random slope, view and place; the eye is in the plane of slope and print direction.
+Look look(std::uint64_t i)
+{
+    Random random(12, i);
+    Look l;
+    const double tilt = random.uniform(-80, 80) * std::numbers::pi / 180;
+    l.normal = {std::cos(tilt), std::sin(tilt)};
+    l.cot = std::tan(tilt);
+    do {
+        const double angle = random.uniform(-85, 85) * std::numbers::pi / 180;
+        l.sight = {-std::cos(angle), -std::sin(angle)};
+    } while (glm::dot(l.normal, l.sight) > -0.05);
+    l.at = random.uniform(-3, 3);
+    return l;
+}
+
+TEST(Checklist20, TheSlopeModelSeesWhatRaysSeeOfRealSteps)
+{
+    int checked = 0, wrong = 0;
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        const Look l = look(i);
+        const float share = tread_share(float(l.normal.y), float(-l.sight.y), float(-glm::dot(l.normal, l.sight)));
+        const double off = std::abs(std::abs(l.at - std::round(l.at)) - 0.5 * double(share));
+        if (off < 0.002)
+            continue;
+        ++checked;
+        wrong += (slope_tread(float(l.at), share) > 0.5f) != meet({l.cot, 0}, {-l.at * l.cot, l.at}, l.sight).tread;
+    }
+    EXPECT_GT(checked, 19000);
+    EXPECT_LE(wrong, checked / 1000);
+}
+
+TEST(Checklist20, AVerticalWallShowsNoTreads)
+{
+    EXPECT_EQ(tread_share(0, 0.5f, 0.866f), 0.0f);
+    EXPECT_EQ(tread_share(-0.3f, 0.5f, 0.4f), 0.0f) << "nor does an overhang from above";
+}
+
+TEST(Beads, AreWhatRaysSeeOfRoundedSteps)
+{
+    int checked = 0, wrong = 0;
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        const Look l = look(i);
+        const float bulge = 0.2f + 0.8f * float(i % 5) / 4;
+        const BeadView view = bead_view(bulge, float(l.normal.x), float(l.normal.y), float(-l.sight.x), float(-l.sight.y));
+        const Met met = meet({l.cot, double(bulge)}, {-l.at * l.cot, l.at}, l.sight);
+        const float phase = bead_phase(view, float(l.at)), turns = phase - std::floor(phase), height = view.from + turns * view.period;
+        if (std::min({turns, 1 - turns, std::abs(height - view.to) / view.period}) < 0.003f)
+            continue;
+        ++checked;
+        dvec2 n = {0, double(view.turned)};
+        if (height < view.to) {
+            const vec2 bent = bead_normal(view, bulge, height);
+            n = {double(bent.x), double(view.turned * bent.y)};
+        }
+        wrong += met.tread != (height > view.to) || glm::length(n - met.normal) > 0.02;
+    }
+    EXPECT_GT(checked, 18000);
+    EXPECT_LE(wrong, checked / 500);
+}
+
+TEST(Beads, GoOverIntoFlatStepsAsTheyGetFlatter)
+{
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        const Look l = look(i);
+        const BeadView view = bead_view(1e-3f, float(l.normal.x), float(l.normal.y), float(-l.sight.x), float(-l.sight.y));
+        EXPECT_NEAR(1 - (view.to - view.from) / view.period, tread_share(float(l.normal.y), float(-l.sight.y), float(-glm::dot(l.normal, l.sight))), 0.02f);
+    }
+}
+
+TEST(Checklist21, TheSoftStepsReachTheHeightOfTheSpecification)
+{
+    const double expected[5][2] = {{0.008, 0.0047}, {0.02, 0.028}, {0.032, 0.069}, {0.048, 0.145}, {0.064, 0.242}};
+    for (const auto& [l, amplitude] : expected) {
+        float most = 0;
+        for (float at = 0; at < 1; at += 0.001f)
+            most = std::max(most, seed_tread(layers(LAYERS_SOFT), {at, float(l), vec2(0)}, -0.7f));
+        EXPECT_NEAR(double(most), amplitude, 0.0012);
+    }
+}
+
+TEST(Checklist21, LayersAlongAnotherAxisAreTheTurnedLayers)
+{
+    for (int i = 0; i < 2000; ++i) {
+        Random random(14, std::uint64_t(i));
+        const vec3 n = direction(random), to_eye = glm::dot(n, direction(random)) < 0 ? n : glm::normalize(n + 0.5f * direction(random));
+        const auto turn = [](const vec3& v) { return vec3(v.y, -v.x, v.z); }; // y becomes x
+        const LayerPlace place = {float(random.uniform(0, 5)), 0.02f, vec2(0.2f, 0.3f)};
+        PatternLight lit = light({1, 2, 1}), turned = lit;
+        turned.lighting.to_light = turn(lit.lighting.to_light);
+        turned.lighting.up = turn(lit.lighting.up);
+        for (const int model : {LAYERS_SEED, LAYERS_SOFT, LAYERS_SLOPE, LAYERS_BEAD}) {
+            const vec3 a = layers_through(layers(model), plastic(), {vec3(0), n, to_eye, vec3(0), vec3(0)}, place, KERNEL_GAUSS, 0.5f, lit.lighting);
+            const vec3 b = layers_through(layers(model, {1, 0, 0}), plastic(), {vec3(0), turn(n), turn(to_eye), vec3(0), vec3(0)}, place, KERNEL_GAUSS, 0.5f, turned.lighting);
+            EXPECT_LT(glm::length(a - b), 1e-3f);
+        }
+    }
+}
+
+TEST(Checklist21, RunningOverTwoAxesGivesCubes)
+{
+    // Normals of voxels: after both axes each is a tread of one of them, or a corner where both are.
+    const vec3 n = glm::normalize(vec3(0.5f, 0.6f, 0.2f));
+    const vec3 both = seed_layer_normal(seed_layer_normal(n, {0, 1, 0}, 1), {1, 0, 0}, 0);
+    EXPECT_NEAR(both.x, 0, 1e-6f);
+    EXPECT_GT(both.y, 0.9f);
+}
+
+/// The strongest frequency of a wall's brightness from its foot to its top, periods over the wall, by refining the spectrum's peak.
+double bands(double layer_height)
+{
+    const int n = 4096;
+    std::vector<double> values(n);
+    const LayerShader shader = {layers(LAYERS_BEAD), plastic(), light({0.3f, 1, 1}), LayerStack(layer_height)};
+    double mean = 0;
+    for (int i = 0; i < n; ++i) {
+        const float y = 2 * (float(i) + 0.5f) / float(n);
+        values[std::size_t(i)] = double(shader.at({{0, y, 0}, {0, 0, 1}, glm::normalize(vec3(0, 0.5f, 1)), vec3(2.0f / n, 0, 0), vec3(0, -2.0f / n, 0)}, KERNEL_GAUSS, 0.5f).x);
+        mean += values[std::size_t(i)] / n;
+    }
+    double best = 0, at = 0;
+    for (double f = 3; f < 300; f += 0.25) {
+        std::complex<double> sum = 0;
+        for (int i = 0; i < n; ++i)
+            sum += (values[std::size_t(i)] - mean) * std::polar(1.0, -2 * std::numbers::pi * f * i / n);
+        if (std::abs(sum) > best)
+            best = std::abs(sum), at = f;
+    }
+    return at;
+}
+
+TEST(Checklist22, HalfTheHeightGivesTwiceTheBands)
+{
+    const double thick = bands(0.04), thin = bands(0.02);
+    EXPECT_NEAR(thick, 50, 1);
+    EXPECT_NEAR(thin / thick, 2, 0.04);
+}
+
+TEST(LayerStack, CountsFromTheBottomWithAFirstLayerOfItsOwn)
+{
+    const LayerStack stack(0.2, 1, 0.3);
+    EXPECT_NEAR(stack.layers_below(1), 0, 1e-6);
+    EXPECT_NEAR(stack.layers_below(1.15), 0.5, 1e-5);
+    EXPECT_NEAR(stack.layers_below(1.3), 1, 1e-5);
+    EXPECT_NEAR(stack.layers_below(1.7), 3, 1e-5);
+    const LayerPlace place = stack.scaled(10, 5).place(15.0f + 1.5f, vec2(0.001f, 0), 0.5f);
+    EXPECT_NEAR(place.at, 0.5f, 1e-4f);
+    EXPECT_NEAR(place.height, 3, 1e-4f);
+    EXPECT_THROW(LayerStack(0), Error::Input);
+    EXPECT_THROW(LayerStack(0.2, 0, -1), Error::Input);
+    EXPECT_THROW(LayerStack(std::vector<double>{0.2, 0}, 0), Error::Input);
+}
+
+TEST(LayerStack, ATableOfHeightsIsFollowedAndSmearedAsItIsOnAverage)
+{
+    const LayerStack stack({0.3, 0.1, 0.1, 0.1, 0.2}, 0);
+    EXPECT_NEAR(stack.layers_below(0.35), 1.5, 1e-5);
+    EXPECT_NEAR(stack.layers_below(0.7), 4.5, 1e-5);
+    EXPECT_NEAR(stack.layers_below(1.0), 6, 1e-5) << "the last height goes on";
+    EXPECT_NEAR(stack.place(0.45f, vec2(0.001f, 0), 0.5f).change.x, 0.01f, 1e-5f);
+    EXPECT_NEAR(stack.place(0.4f, vec2(0.4f, 0), 0.5f).change.x, 10.0f / 3, 1e-3f);
+}
+
+TEST(LayerHeights, AreReadFromEitherTableAndMistakesAreNamed)
+{
+    EXPECT_EQ(layer_heights_from_text("# mine\n0.3\n0.2 # thin\n\n0.1\r\n", "t.txt"), (std::vector<double>{0.3, 0.2, 0.1}));
+    EXPECT_EQ(layer_heights_from_text("0 0.5\n1 0.25\n1.5 0.1\n", "t.txt"), (std::vector<double>{0.5, 0.5, 0.25, 0.25, 0.1}));
+    const auto message = [](const char* text) {
+        try {
+            layer_heights_from_text(text, "t.txt");
+        } catch (const Error::Read& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message("0.2\nthick\n"), "t.txt, line 2: 'thick' is not a number");
+    EXPECT_EQ(message("0.2\n0\n"), "t.txt, line 2: a layer height of 0 mm is not above 0 and below 1000");
+    EXPECT_EQ(message("0 0.2\n0 0.1\n"), "t.txt, line 2: Z 0 does not follow the one before");
+    EXPECT_EQ(message("0 0.2\n0.1\n"), "t.txt, line 2: 1 numbers, where the lines before have 2");
+    EXPECT_EQ(message("1 2 3\n"), "t.txt, line 1: more than a height, or a Z and a height");
+    EXPECT_EQ(message("# nothing\n"), "t.txt: no layer heights");
+}
+
+} // namespace
+} // namespace limn
