@@ -17,6 +17,7 @@
 #include "limn/scene/pixel_painter.h"
 #include "limn/scene/render_options.h"
 #include "pictures.h"
+#include "render_pattern.h"
 #include "scene_file.h"
 #include "subcommand.h"
 #include "table_options.h"
@@ -31,6 +32,8 @@ constexpr const char* examples = R"(Examples:
   limn render part.stl -o part.png --background '#ffffff' --view 30,20 --size 1280x720 --bits 16
   limn render vase.glb -o turn.png --turntable 24
   limn render scene.json -o scene.png --view 30,20
+  limn render part.stl -o print.png --material layers --layer-height 0.2mm --filament petg-black
+  limn render part.stl -o cusps.png --material layers --show cusp --print-direction x
   limn render creature.obj -o creature.png --subdivision loop
   limn render creature.obj -o how.png --subdivision loop --overlay DE
   limn render bunny.ply -o data.exr --pass kr,depth,normal,id --cameras cameras.json)";
@@ -43,6 +46,7 @@ struct RenderCommand {
     ShaderLineOptions shader_lines;
     std::string passes;
     std::string overlay; ///< letters of draw_overlay
+    PatternCommand pattern;
 };
 
 /// "data-kr.exr" beside "data.exr".
@@ -116,6 +120,8 @@ PixelOptions pixel_options(const RenderCommand& command, const SeenModel& model)
         options.shader_lines.suggestive_limit = float(command.pictures.lines.suggestive_limit);
         options.shader_lines.feature_size = model_feature_size(model.lines, command.pictures.lines.feature_size);
     }
+    options.pattern = command.pattern.options;
+    options.place = pattern_place(command.pattern, command.pictures, model.up);
     return options;
 }
 
@@ -123,8 +129,12 @@ PixelOptions pixel_options(const RenderCommand& command, const SeenModel& model)
 void take_scene(const CLI::App& app, RenderCommand& command)
 {
     const std::optional<Scene> scene = take_files(app, command.pictures);
-    if (!scene)
+    take_pattern(app, scene ? &*scene : nullptr, command.pattern);
+    if (!scene) {
+        if (app.count("--ground") == 0)
+            command.render.ground = command.pattern.stands_on_plate();
         return;
+    }
     RenderOptions lit = lit_by(scene->lights, scene->render);
     if (app.count("--light") + app.count("--lamp") > 0) {
         lit.light.reset();
@@ -147,6 +157,8 @@ void run(const CLI::App& app, RenderCommand& command)
     PictureCommand& pictures = command.pictures;
     if (!pictures.style.page.empty())
         throw Error::Input("--page: 'limn render' makes pictures, not pages; 'limn draw --shade smooth' writes pages");
+    if (command.pattern.is_wanted() && pictures.common.device == "gpu")
+        throw Error::Input("--device gpu: layers, bricks and thread are computed on the CPU so far; leave --device out, or say cpu");
     check_overlay(command.overlay);
     if (!command.overlay.empty() && pictures.model.subdivision.scheme != SubdivisionOptions::Scheme::loop)
         throw Error::Input("--overlay shows how control meshes are drawn; give --subdivision loop too");
@@ -164,7 +176,13 @@ void run(const CLI::App& app, RenderCommand& command)
         hooks.overlay = [&](Drawing& drawing, const LoopView& view, const Models& models) {
             drawing.background = draw_overlay(drawing.background, view, models.loops, drawing.camera, command.overlay);
         };
-    hooks.device = [&] { return painter.device(); };
+    if (command.pattern.is_wanted())
+        hooks.underlay = [&command, &pictures, paint = hooks.underlay](Drawing& drawing, const SeenModel& model) {
+            paint(drawing, model);
+            explain_pattern(command.pattern, pattern_place(command.pattern, pictures, model.up), model.scene, drawing);
+        };
+    hooks.note = [&] { return command.pattern.note; };
+    hooks.device = [&] { return command.pattern.is_wanted() ? "processor" : painter.device(); };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
         write_image(picture, output, command.render.bits);
@@ -189,6 +207,7 @@ Subcommand add_render(CLI::App& limn)
     CLI::App* app = limn.add_subcommand("render", "Render shaded pictures of models, with or without lines, and their ingredient images");
     app->footer(examples);
     add_table_options(*app, render_option_table(), command->render, "Shading");
+    add_pattern_options(*app, command->pattern);
     add_table_options(*app, image_line_option_table(), command->image_lines, "Lines per pixel");
     add_table_options(*app, shader_line_option_table(), command->shader_lines, "Lines per pixel");
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id,lines (or all) to FILE-PASS, and their scales to FILE-passes.json")
