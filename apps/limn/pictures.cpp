@@ -269,6 +269,7 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     progress.times.total = total.total();
     if (command.common.json)
         write_file("-", draw_report(command.name, hooks.device ? hooks.device() : "processor", models, progress.views, written, warnings, progress.times));
-    console.finish(fmt::format("{}: {}, {}, {}", what_was_written(written), counted(progress.loop_view ? progress.loop_view->lines.faces.size() : models.triangle_count(), "triangle"),
-                               counted(stroke_count(progress.views), "stroke"), seconds_text(progress.times.total)));
+    const std::string note = hooks.note ? hooks.note() : "";
+    console.finish(fmt::format("{}: {}, {}, {}{}", what_was_written(written), counted(progress.loop_view ? progress.loop_view->lines.faces.size() : models.triangle_count(), "triangle"),
+                               counted(stroke_count(progress.views), "stroke"), seconds_text(progress.times.total), note.empty() ? "" : "; " + note));
 }

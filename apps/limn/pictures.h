@@ -39,6 +39,8 @@ struct PictureHooks {
     std::function<void(limn::Drawing&, const limn::LoopView&, const Models&)> overlay;
     /// Writes a picture to one of the files asked for, and returns the names of all that it wrote.
     std::function<std::vector<std::string>(const limn::Drawing&, const limn::SeenModel&, const Output&)> write;
+    /// What else the last line of the run says; absent or "": nothing.
+    std::function<std::string()> note;
     /// Where pixels were computed, once all pictures are written; absent: on the processor.
     std::function<std::string()> device;
 };

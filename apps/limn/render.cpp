@@ -19,6 +19,7 @@
 #include "limn/scene/pixel_painter.h"
 #include "limn/scene/render_options.h"
 #include "pictures.h"
+#include "render_pattern.h"
 #include "scene_file.h"
 #include "subcommand.h"
 #include "table_options.h"
@@ -36,6 +37,8 @@ constexpr const char* examples = R"(Examples:
   limn render bunny.ply -o soft.png --ground --light sphere:3,5,2,1 --shadow-samples 64
   limn render bunny.ply -o fast.png --ground --light sphere:3,5,2,1 --shadow-maps bunny.csm
   limn render part.stl -o open.png --ao
+  limn render part.stl -o print.png --material layers --layer-height 0.2mm --filament petg-black
+  limn render part.stl -o cusps.png --material layers --show cusp --print-direction x
   limn render creature.obj -o creature.png --subdivision loop
   limn render creature.obj -o how.png --subdivision loop --overlay DE
   limn render bunny.ply -o data.exr --pass kr,depth,normal,id --cameras cameras.json)";
@@ -49,6 +52,7 @@ struct RenderCommand {
     std::string passes;
     std::string overlay; ///< letters of draw_overlay
     std::vector<std::string> shadow_maps; ///< files
+    PatternCommand pattern;
 };
 
 /// What hides light beside rays.
@@ -151,6 +155,8 @@ PixelOptions pixel_options(const RenderCommand& command, const Casters& casters,
         options.shader_lines.suggestive_limit = float(command.pictures.lines.suggestive_limit);
         options.shader_lines.feature_size = model_feature_size(model.lines, command.pictures.lines.feature_size);
     }
+    options.pattern = command.pattern.options;
+    options.place = pattern_place(command.pattern, command.pictures, model.up);
     return options;
 }
 
@@ -158,8 +164,12 @@ PixelOptions pixel_options(const RenderCommand& command, const Casters& casters,
 void take_scene(const CLI::App& app, RenderCommand& command)
 {
     const std::optional<Scene> scene = take_files(app, command.pictures);
-    if (!scene)
+    take_pattern(app, scene ? &*scene : nullptr, command.pattern);
+    if (!scene) {
+        if (app.count("--ground") == 0)
+            command.render.ground = command.pattern.stands_on_plate();
         return;
+    }
     RenderOptions lit = lit_by(scene->lights, scene->render);
     if (app.count("--light") + app.count("--lamp") > 0) {
         lit.light.reset();
@@ -182,6 +192,8 @@ void run(const CLI::App& app, RenderCommand& command)
     PictureCommand& pictures = command.pictures;
     if (!pictures.style.page.empty())
         throw Error::Input("--page: 'limn render' makes pictures, not pages; 'limn draw --shade smooth' writes pages");
+    if (command.pattern.is_wanted() && pictures.common.device == "gpu")
+        throw Error::Input("--device gpu: layers, bricks and thread are computed on the CPU so far; leave --device out, or say cpu");
     check_overlay(command.overlay);
     if (!command.overlay.empty() && pictures.model.subdivision.scheme != SubdivisionOptions::Scheme::loop)
         throw Error::Input("--overlay shows how control meshes are drawn; give --subdivision loop too");
@@ -205,7 +217,13 @@ void run(const CLI::App& app, RenderCommand& command)
         hooks.overlay = [&](Drawing& drawing, const LoopView& view, const Models& models) {
             drawing.background = draw_overlay(drawing.background, view, models.loops, drawing.camera, command.overlay);
         };
-    hooks.device = [&] { return painter.device(); };
+    if (command.pattern.is_wanted())
+        hooks.underlay = [&command, &pictures, paint = hooks.underlay](Drawing& drawing, const SeenModel& model) {
+            paint(drawing, model);
+            explain_pattern(command.pattern, pattern_place(command.pattern, pictures, model.up), model.scene, drawing);
+        };
+    hooks.note = [&] { return command.pattern.note; };
+    hooks.device = [&] { return command.pattern.is_wanted() ? "processor" : painter.device(); };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
         write_image(picture, output, command.render.bits);
@@ -230,6 +248,7 @@ Subcommand add_render(CLI::App& limn)
     CLI::App* app = limn.add_subcommand("render", "Render shaded pictures of models, with or without lines, and their ingredient images");
     app->footer(examples);
     add_table_options(*app, render_option_table(), command->render, "Shading");
+    add_pattern_options(*app, command->pattern);
     add_table_options(*app, image_line_option_table(), command->image_lines, "Lines per pixel");
     add_table_options(*app, shader_line_option_table(), command->shader_lines, "Lines per pixel");
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id,lines (or all) to FILE-PASS, and their scales to FILE-passes.json")

@@ -9,12 +9,13 @@ namespace limn {
 
 /// Mean over samples of a pixel, each on the plane around the spot, as the seed has it: the line of sight and the light are those of the sample.
 template <class Shader>
-vec4 supersample(const Shader& shader, const PatternCamera& camera, const PatternSpot& spot, const vec2& pixel, std::span<const vec2> samples)
+vec4 supersample(const Shader& shader, const PatternCamera& camera, const PatternSpot& spot, const vec2& pixel, std::span<const vec2> samples,
+                 float share = 1)
 {
     vec4 sum = vec4(0);
     for (const vec2& offset : samples) {
         const vec3 position = camera.on_plane(spot, pixel, pixel + offset);
-        sum += shader.at({position, spot.normal, camera.to_eye(position), vec3(0), vec3(0)}, formulas::KERNEL_NONE, 0);
+        sum += shader.at({position, spot.normal, camera.to_eye(position), vec3(0), vec3(0)}, formulas::KERNEL_NONE, 0, share);
     }
     return sum / float(samples.size());
 }

@@ -1,20 +1,12 @@
 #include "limn/pattern/filament.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
 #include "limn/base/nearest.h"
+#include "limn/base/srgb.h"
 
 namespace limn {
-namespace {
-
-float decoded(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
-float encoded(float c) { return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f; }
-
-} // namespace
-
 const std::vector<Filament>& filaments()
 {
     static const std::vector<Filament> all = {
@@ -44,8 +36,8 @@ const Filament& find_filament(std::string_view name)
     throw Error::Input(fmt::format("--filament: there is no '{}'{}", name, near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }
 
-vec3 linear_colour(const vec3& c) { return {decoded(c.x), decoded(c.y), decoded(c.z)}; }
-vec3 encoded_colour(const vec3& c) { return {encoded(c.x), encoded(c.y), encoded(c.z)}; }
+vec3 linear_colour(const vec3& c) { return {linear_from_srgb(c.x), linear_from_srgb(c.y), linear_from_srgb(c.z)}; }
+vec3 encoded_colour(const vec3& c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)}; }
 
 formulas::Finish finish_of(const Filament& filament, const vec3& colour)
 {

@@ -8,16 +8,19 @@
 
 namespace limn {
 
-/// The light of a pattern, in its frame: from far away, or from a place.
+/// The light of a pattern, in its frame: from far away, or from a place. `share` below is how much of it nothing hides.
 struct PatternLight {
     formulas::Illumination lighting;      ///< of a light far away; the surroundings
     std::optional<vec3> place;        ///< of a point light
     vec3 intensity = vec3(0);         ///< of it, W/sr
     vec3 falloff = vec3(0, 0, 1);     ///< of it: 1 / (a + b d + c d^2)
 
-    formulas::Illumination at(const vec3& position) const
+    /// @param share  of the light that nothing hides
+    formulas::Illumination at(const vec3& position, float share = 1) const
     {
-        return place ? formulas::lit_by_point(lighting, *place, intensity, falloff, position) : lighting;
+        formulas::Illumination lit = place ? formulas::lit_by_point(lighting, *place, intensity, falloff, position) : lighting;
+        lit.light *= share;
+        return lit;
     }
 };
 
@@ -27,9 +30,9 @@ struct BrickShader {
     formulas::Finish finish;
     PatternLight light;
 
-    vec4 at(const formulas::PatternPoint& p, int kernel, float width) const
+    vec4 at(const formulas::PatternPoint& p, int kernel, float width, float share = 1) const
     {
-        return vec4(formulas::bricks_through(pattern, finish, p, kernel, width, light.at(p.position)), 1);
+        return vec4(formulas::bricks_through(pattern, finish, p, kernel, width, light.at(p.position, share)), 1);
     }
 };
 
@@ -41,7 +44,7 @@ struct ThreadShader {
     vec3 centre = vec3(0);
     float radius = 1; ///< for samples, which lie on the sphere
 
-    vec4 at(const formulas::PatternPoint& p, int kernel, float width) const
+    vec4 at(const formulas::PatternPoint& p, int kernel, float width, float share = 1) const
     {
         formulas::PatternPoint on = p;
         on.position = glm::normalize(p.position - centre);
@@ -49,7 +52,7 @@ struct ThreadShader {
         on.right = p.right / away;
         on.down = p.down / away;
         on.normal = glm::dot(on.position, p.to_eye) < 0 ? -on.position : on.position; // of the side that is seen
-        return formulas::thread_through(pattern, on, kernel, width, light.at(p.position));
+        return formulas::thread_through(pattern, on, kernel, width, light.at(p.position, share));
     }
 };
 
@@ -60,10 +63,11 @@ struct LayerShader {
     PatternLight light;
     LayerStack stack;
 
-    vec4 at(const formulas::PatternPoint& p, int kernel, float width) const
+    vec4 at(const formulas::PatternPoint& p, int kernel, float width, float share = 1) const
     {
         const vec2 change = formulas::change_per_pixel(p, pattern.up);
-        return vec4(formulas::layers_through(pattern, finish, p, stack.place(glm::dot(p.position, pattern.up), change, width), kernel, width, light.at(p.position)), 1);
+        const formulas::LayerPlace where = stack.place(glm::dot(p.position, pattern.up), change, width);
+        return vec4(formulas::layers_through(pattern, finish, p, where, kernel, width, light.at(p.position, share)), 1);
     }
 };
 

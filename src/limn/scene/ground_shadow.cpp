@@ -4,16 +4,32 @@
 #include <cmath>
 
 #include "limn/base/parallel.h"
+#include "limn/formulas/formulas.h"
 #include "limn/pattern/pixel_samples.h"
 
 namespace limn {
 namespace {
 
 constexpr int side = 96;           ///< of the grid
-constexpr int rays = 48;           ///< of a place: half to the sky, half to the light
+constexpr int rays = 64;           ///< of a place: half to the sky, half to the light
 constexpr float light_spread = 0.3f; ///< of the light, radians
 constexpr float sky_part = 0.55f;  ///< of all light
 constexpr float off = 1e-4f;
+
+/// Weights 1, 2, 1 both ways.
+std::vector<float> smoothed(const std::vector<float>& values)
+{
+    std::vector<float> result(values.size());
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            float sum = 0;
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    sum += float((2 - std::abs(dx)) * (2 - std::abs(dy))) * values[std::size_t(std::clamp(y + dy, 0, side - 1) * side + std::clamp(x + dx, 0, side - 1))];
+            result[std::size_t(y * side + x)] = sum / 16;
+        }
+    return result;
+}
 
 } // namespace
 
@@ -29,8 +45,10 @@ GroundShadow::GroundShadow(const SeenScene& scene, const GroundPlane& plane, con
     parallel_each(side * side, side, [&](std::size_t i) {
         const vec2 at = (vec2(float(i % side), float(i / side)) / float(side - 1) - 0.5f) * 2.0f * reach_;
         const vec3 from = middle_ + right_ * at.x + ahead_ * at.y + off * up;
+        const float own = formulas::number_of(int(i)); // every place turns its rays its own way: what that leaves is smoothed below
         int open = 0, lit = 0;
-        for (const vec2& s : spread) {
+        for (const vec2& even : spread) {
+            const vec2 s = glm::fract(even + 0.5f + vec2(own, glm::fract(37 * own))) - 0.5f;
             const float radius = std::sqrt(s.x + 0.5f), turn = 6.2831853f * s.y; // even under the cosine
             const vec3 sky = right_ * (radius * std::cos(turn)) + ahead_ * (radius * std::sin(turn)) + up * std::sqrt(std::max(0.0f, 1 - radius * radius));
             open += !is_hidden(from, sky);
@@ -38,6 +56,7 @@ GroundShadow::GroundShadow(const SeenScene& scene, const GroundPlane& plane, con
         }
         values_[i] = (sky_part * float(open) + (1 - sky_part) * float(lit)) / float(spread.size());
     });
+    values_ = smoothed(smoothed(values_));
 }
 
 float GroundShadow::light(const vec3& place) const

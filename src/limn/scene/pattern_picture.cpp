@@ -11,6 +11,7 @@
 #include "limn/base/parallel.h"
 #include "limn/pattern/antialias.h"
 #include "limn/pattern/filament.h"
+#include "limn/raycast/occlusion.h"
 #include "limn/scene/ground_shadow.h"
 
 namespace limn {
@@ -20,7 +21,7 @@ using namespace formulas;
 
 constexpr int most_sides = 12;           ///< that are seen through holes, one behind the other
 constexpr float light_radius = 0.22f;    ///< of the studio's, radians
-constexpr float light_strength = 2.3f, sky = 0.5f, floor_light = 0.16f;
+constexpr float light_strength = 2.6f, sky = 0.4f, floor_light = 0.14f;
 
 /// One pattern with all of its numbers, in a frame.
 struct Painted {
@@ -54,21 +55,16 @@ template <class F> void each_corner(const SeenScene& scene, std::optional<std::s
     }
 }
 
-double longest_side(const SeenScene& scene)
-{
-    vec3 low(std::numeric_limits<float>::infinity()), high = -low;
-    each_corner(scene, std::nullopt, [&](const vec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    });
-    const vec3 size = high - low;
-    return double(std::max({size.x, size.y, size.z})) * scene.scale;
-}
-
 /// The direction in which layers follow each other, in the world.
 dvec3 print_direction(const PatternOptions& options, const PatternPlace& place, const dmat4& transform)
 {
     return glm::normalize(dmat3(transform) * (turn_of(options) * options.direction.value_or(place.up)));
+}
+
+/// Millimetres of a length 1 in the frame of the scene.
+double mm_in_frame(const SeenScene& scene, const PatternPlace& place)
+{
+    return scene.scale * (place.mm_per_unit > 0 ? place.mm_per_unit : 100 / longest_side(scene));
 }
 
 double thickest(const PatternOptions& options)
@@ -86,7 +82,7 @@ LayerStack stack_of(const SeenScene& scene, const PatternOptions& options, const
         low = std::min(low, glm::dot(p, g));
         high = std::max(high, glm::dot(p, g));
     });
-    const double mm = scene.scale * place.mm_per_unit / scale_of(transform); // of a length 1 in this frame
+    const double mm = mm_in_frame(scene, place) / scale_of(transform);
     if (const double height = double(high - low) * mm, layer = thickest(options); layer > height)
         throw Error::Input(fmt::format("--layer-height: a layer of {:.4g} mm is higher than the print, which is {:.4g} mm along its direction", layer, height));
     const LayerStack stack = options.layer_heights.empty() ? LayerStack(options.layer_height, 0, options.first_layer) : LayerStack(options.layer_heights, 0);
@@ -109,8 +105,19 @@ PatternLight light_of(const SeenScene& scene, const Camera& camera, const ShadeO
     PatternLight light;
     const dvec3 towards = shade.to_light ? *shade.to_light : 0.55 * camera.above() - 0.7 * camera.right() - camera.forward();
     light.lighting = {vec3(glm::normalize(towards)), vec3(light_strength), shade.to_light ? 0.05f : light_radius, vec3(place.up), vec3(sky), vec3(floor_light)};
-    if (shade.lamp) {
-        light.place = vec3((*shade.lamp - scene.centre) / scene.scale);
+    std::optional<dvec3> lamp = shade.lamp;
+    if (shade.wide) {
+        if (const auto* ball = std::get_if<SphereLight>(&*shade.wide))
+            lamp = ball->centre;
+        else if (const auto* rectangle = std::get_if<RectangleLight>(&*shade.wide))
+            lamp = rectangle->centre;
+        else
+            throw Error::Input("environments light plain materials so far; give layers, bricks and thread another light");
+    }
+    if (lamp) {
+        light.place = vec3((*lamp - scene.centre) / scene.scale);
+        const double size = !shade.wide ? 0 : std::holds_alternative<SphereLight>(*shade.wide) ? std::get<SphereLight>(*shade.wide).radius : 0.5 * glm::length(std::get<RectangleLight>(*shade.wide).size);
+        light.lighting.radius = float(std::min(size / std::max(glm::length(*lamp - scene.centre), 1e-9), 1.0));
         const float away = std::max(glm::length(*light.place), 0.1f); // as bright in the middle as a light far away
         light.intensity = vec3(light_strength * away * away);
     }
@@ -166,7 +173,7 @@ Painted painted(const SeenScene& scene, const Camera& camera, const PatternOptio
     if (options.kind == PatternKind::layers) {
         const dvec3 up = print_direction(options, place, transform);
         const int models[] = {LAYERS_BEAD, LAYERS_SLOPE, LAYERS_SEED, LAYERS_SOFT};
-        const double mm = scene.scale * place.mm_per_unit / scale_of(transform);
+        const double mm = mm_in_frame(scene, place) / scale_of(transform);
         const LayerPattern pattern = {models[int(options.layer_model)], vec3(up), float(options.soft_low / mm), float(options.soft_high / mm), float(options.bulge), float(options.variety)};
         const PatternFrame frame;
         return {LayerShader{pattern, print_finish(options), light, stack_of(scene, options, place, up, transform, part)}, frame, PatternCamera(camera, scene.centre, scene.scale, frame)};
@@ -188,14 +195,14 @@ Painted painted(const SeenScene& scene, const Camera& camera, const PatternOptio
     return {shader, frame, PatternCamera(camera, scene.centre, scene.scale, frame)};
 }
 
-/// Light as a picture shows it: bright places near white without a hard edge.
+/// Light as a picture shows it: bright places near white without a hard edge. Linear still.
 vec3 shown(const vec3& linear)
 {
     constexpr float knee = 0.8f;
     vec3 c;
     for (int k = 0; k < 3; ++k)
         c[k] = linear[k] < knee ? linear[k] : 1 - (1 - knee) * std::exp(-(linear[k] - knee) / (1 - knee));
-    return encoded_colour(glm::max(c, vec3(0)));
+    return c;
 }
 
 struct Painter {
@@ -210,19 +217,44 @@ struct Painter {
     double layer_mm;        ///< of the thickest layer
     double mm_per_length;   ///< in the frame of the scene
     std::vector<vec2> samples; ///< of the pattern in a pixel; empty: it is filtered
+    PatternLight light;        ///< in the frame of the scene
+    std::vector<vec2> places;  ///< of the light, in a unit square around its middle
 
     const Painted& pattern_of(const Fragment& fragment) const { return patterns.size() == 1 ? patterns[0] : patterns[scene.part_of(fragment.object, fragment.triangle)]; }
 
-    vec4 through(const Painted& painted, const PatternSpot& spot, const vec2& pixel) const
+    /// How much of the light nothing hides, by `count` of its places; each pixel turns them its own way.
+    float light_share(const PatternSpot& spot, const vec2& pixel, std::size_t count) const
+    {
+        if (!shade.occlusion)
+            return 1;
+        constexpr float off_surface = 1e-3f; // in the frame of the scene, whose objects are about 1 in radius
+        const vec3 from = spot.position + off_surface * spot.face_normal;
+        const vec3 to = light.place ? glm::normalize(*light.place - from) : light.lighting.to_light;
+        const vec3 aside = glm::normalize(glm::cross(std::abs(to.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to)), above = glm::cross(to, aside);
+        const float own = number_of(int(pixel.x) + 8191 * int(pixel.y));
+        std::vector<LightPlace> wanted(count);
+        std::vector<std::uint8_t> lit(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            const float radius = light.lighting.radius * std::sqrt(places[k].x + 0.5f), turn = 6.2831853f * (places[k].y + own);
+            const vec3 off = radius * (std::cos(turn) * aside + std::sin(turn) * above);
+            const float away = light.place ? glm::length(*light.place - from) : 1;
+            wanted[k] = {light.place ? vec4(*light.place + away * off, 1) : vec4(to + off, 0), vec2(glm::fract(places[k] + own))};
+        }
+        shade.occlusion->look(from, wanted, lit.data());
+        return float(std::count(lit.begin(), lit.end(), 1)) / float(count);
+    }
+    /// @param light_places  to look at, of those of the light
+    vec4 through(const Painted& painted, const PatternSpot& spot, const vec2& pixel, std::size_t light_places) const
     {
         const PatternSpot in_frame = {painted.frame.point(spot.position), painted.frame.direction(spot.normal), painted.frame.direction(spot.face_normal), painted.frame.direction(spot.to_eye)};
         const int kernel = options.filter == PatternFilter::off ? KERNEL_NONE : options.filter == PatternFilter::box ? KERNEL_BOX : KERNEL_GAUSS;
         const float width = kernel == KERNEL_BOX ? float(options.filter_box) : float(options.filter_width);
-        return std::visit(
-            [&](const auto& shader) {
-                return samples.empty() ? shader.at(painted.camera.point(in_frame), kernel, width) : supersample(shader, painted.camera, in_frame, pixel, samples);
-            },
-            painted.shader);
+        const float share = light_share(spot, pixel, light_places);
+        const auto shaded = [&](const auto& shader) {
+            return samples.empty() ? shader.at(painted.camera.point(in_frame), kernel, width, share) : supersample(shader, painted.camera, in_frame, pixel, samples, share);
+        };
+        const vec4 colour = std::visit(shaded, painted.shader);
+        return vec4(shown(vec3(colour)), colour.w);
     }
     /// The colour of a height map of cusps, lit a little.
     vec3 cusp(const Painted& painted, const PatternSpot& spot) const
@@ -252,7 +284,7 @@ struct Painter {
         return glm::mix(background, linear_colour(shade.ground->material.colour) * lit, ground.cover);
     }
     /// Linear, of a place of the picture.
-    vec3 at(const dvec2& pixel, const Fragment& first) const
+    vec3 at(const dvec2& pixel, const Fragment& first, std::size_t light_places) const
     {
         vec3 sum(0);
         float clear = 1;
@@ -264,7 +296,7 @@ struct Painter {
             if (glm::dot(normal, face) < 0)
                 normal = -normal;
             const PatternSpot spot = {fragment.position, normal, face, fragment.to_eye};
-            vec4 colour = options.show == PrintShow::cusp && options.kind == PatternKind::layers ? vec4(cusp(painted, spot), 1) : through(painted, spot, vec2(pixel));
+            vec4 colour = options.show == PrintShow::cusp && options.kind == PatternKind::layers ? vec4(cusp(painted, spot), 1) : through(painted, spot, vec2(pixel), light_places);
             if (hangs_over(painted, fragment))
                 colour = vec4(glm::mix(vec3(colour), vec3(0.75f, 0.04f, 0.03f), 0.6f), colour.w);
             sum += clear * vec3(colour);
@@ -315,6 +347,17 @@ std::vector<vec2> pattern_samples(const PatternOptions& options)
 
 } // namespace
 
+double longest_side(const SeenScene& scene)
+{
+    vec3 low(std::numeric_limits<float>::infinity()), high = -low;
+    each_corner(scene, std::nullopt, [&](const vec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    });
+    const vec3 size = high - low;
+    return double(std::max({size.x, size.y, size.z})) * scene.scale;
+}
+
 std::optional<double> mm_per_unit(char units, std::string_view format)
 {
     switch (units) {
@@ -341,7 +384,7 @@ Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternO
             patterns.push_back(painted(scene, camera, options, place, light, part));
     else
         patterns.push_back(painted(scene, camera, options, place, light, std::nullopt));
-    Painter painter = {scene, options, shade, std::move(patterns), FragmentTracer(scene, camera), {}, {}, place.up, thickest(options), scene.scale * place.mm_per_unit, pattern_samples(options)};
+    Painter painter = {scene, options, shade, std::move(patterns), FragmentTracer(scene, camera), {}, {}, place.up, thickest(options), mm_in_frame(scene, place), pattern_samples(options), light, even_samples(shade.light_samples, KERNEL_BOX, 1, vec2(0))};
     if (shade.ground) {
         painter.plane.emplace(*shade.ground, scene.centre, scene.scale);
         painter.shadow.emplace(scene, *painter.plane, light.place ? glm::normalize(*light.place) : light.lighting.to_light);
@@ -350,7 +393,7 @@ Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternO
     const ivec2 size = camera.size;
     std::vector<Place> places(std::size_t(size.x) * std::size_t(size.y));
     const auto store = [&](int x, int y, const vec3& linear) {
-        const vec3 c = shown(linear);
+        const vec3 c = encoded_colour(glm::max(linear, vec3(0)));
         for (int k = 0; k < 3; ++k)
             image.at(x, y)[k] = c[k];
     };
@@ -361,10 +404,11 @@ Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternO
             if (fragment.hit())
                 places[row * std::size_t(size.x) + std::size_t(x)] = {fragment.position, seen_normal(fragment.face_normal, fragment.to_eye),
                                                                       float(1 / (camera.pixels_per_unit(double(fragment.depth)) * scene.scale)), true};
-            store(x, int(row), painter.at(pixel, fragment));
+            store(x, int(row), painter.at(pixel, fragment, painter.places.size()));
         }
     });
     const std::vector<dvec2> rays = sample_pattern(shade.samples);
+    const std::size_t few = (painter.places.size() - 1) / rays.size() + 1; // places of the light for each
     parallel_each(std::size_t(size.y), 1, [&](std::size_t row) {
         for (int x = 0; x < size.x; ++x) {
             if (!is_on_edge(places, size, x, int(row)))
@@ -372,7 +416,7 @@ Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternO
             vec3 sum(0);
             for (const dvec2& offset : rays) {
                 const dvec2 pixel = {x + offset.x, double(row) + offset.y};
-                sum += painter.at(pixel, painter.tracer.at(pixel));
+                sum += painter.at(pixel, painter.tracer.at(pixel), few);
             }
             store(x, int(row), sum / float(rays.size()));
         }
@@ -383,7 +427,7 @@ Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternO
 CuspHistogram print_cusps(const SeenScene& scene, const PatternOptions& options, const PatternPlace& place)
 {
     std::vector<float> heights, areas;
-    const double mm = scene.scale * place.mm_per_unit;
+    const double mm = mm_in_frame(scene, place);
     std::vector<std::pair<dvec3, LayerStack>> stacks;
     const std::size_t parts = options.with_object ? scene.part_count() : 1;
     for (std::size_t part = 0; part < parts; ++part) {

@@ -129,7 +129,9 @@ Image PixelPainter::paint_once(const SeenModel& model, const Camera& camera, con
     const bool lights_on_gpu = context_ && !asks_for_visibility(options.shade);
     if (context_ && !lights_on_gpu && !may_fall_back_)
         throw Error::Input("--device gpu: shadows, lights with a size and --ao are computed on the processor; leave the option out");
-    Image picture = lights_on_gpu ? on_gpu_->shaded(camera, options) : lit_on_processor(model, camera, options);
+    Image picture = options.pattern.kind != PatternKind::plain ? paint_pattern(model.scene, camera, options.pattern, options.place, options.shade)
+                    : lights_on_gpu                             ? on_gpu_->shaded(camera, options)
+                                                                : lit_on_processor(model, camera, options);
     const Camera fine = finer_camera(camera);
     if (options.image_lines.method != ImageMethod::off)
         lay_over(picture, context_ ? on_gpu_->filtered(fine, options) : filtered_on_processor(model, fine, options), options.ink);

@@ -11,6 +11,7 @@
 #include "limn/lines/shader_lines.h"
 #include "limn/raycast/shading.h"
 #include "limn/scene/loop_model.h"
+#include "limn/scene/pattern_picture.h"
 
 namespace limn {
 
@@ -28,6 +29,8 @@ struct PixelOptions {
     ImageLineOptions image_lines;
     ShaderLineOptions shader_lines;
     vec3 ink = vec3(0); ///< colour of such lines
+    PatternOptions pattern = {}; ///< where it is not plain, surfaces are made of it instead of their materials; on the processor so far
+    PatternPlace place = {};
 };
 
 /// Paints models on the processor or a GPU, and keeps what it made of a model from view to view.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/base/file.h"
 #include "limn/drawing/raster.h"
 #include "limn/geometry/read_mesh.h"
 #include "limn/lines/draw.h"
@@ -91,6 +92,12 @@ PixelOptions pixel_options(const Scene& scene, const SceneModel& model, const Li
         options.shader_lines.feature_size = model_feature_size(lines, scene.lines.feature_size);
     }
     options.ink = scene.style.line(LineType::contour).colour;
+    options.pattern = scene.pattern;
+    options.place.up = up_vector(up_axis_of(scene));
+    const SceneObject& first = scene.objects.front();
+    options.place.mm_per_unit = mm_per_unit(scene.pattern.units, first.format.empty() ? file_ending(first.file) : first.format).value_or(0); // a mesh in memory has no format
+    for (const SceneObject& object : scene.objects)
+        options.place.transforms.push_back(object.transform);
     return options;
 }
 

@@ -14,6 +14,7 @@
 #include "limn/lines/image_lines.h"
 #include "limn/lines/options.h"
 #include "limn/lines/shader_lines.h"
+#include "limn/pattern/options.h"
 #include "limn/raycast/material.h"
 #include "limn/scene/render_options.h"
 #include "limn/scene/subdivision_options.h"
@@ -72,6 +73,7 @@ struct Scene {
     Style style;                ///< of the lines
     RenderOptions render;       ///< `colour` and `shade` are the material of objects without one
     ImageLineOptions image_lines;
+    PatternOptions pattern;     ///< what surfaces are made of, where that is not plain
     ShaderLineOptions shader_lines; ///< its limit and feature size are those of `lines`
 };
 

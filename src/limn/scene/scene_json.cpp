@@ -127,7 +127,7 @@ Scene scene_from_json(std::string_view text, const std::filesystem::path& file)
     if (!json.is_object())
         place.expected("an object");
     check_version(place);
-    place.check_keys({"limn", "objects", "materials", "lights", "camera", "surface", "subdivision", "lines", "style", "render", "image-lines", "shader-lines"});
+    place.check_keys({"limn", "objects", "materials", "lights", "camera", "surface", "subdivision", "lines", "style", "render", "image-lines", "shader-lines", "pattern"});
     place.need({"objects"});
 
     Scene scene;
@@ -143,6 +143,7 @@ Scene scene_from_json(std::string_view text, const std::filesystem::path& file)
     where_given(place, "lines", [&](const JsonPlace& at) { read_options(at, line_option_table(), scene.lines); });
     where_given(place, "style", [&](const JsonPlace& at) { read_options(at, style_option_table(), scene.style); });
     where_given(place, "render", [&](const JsonPlace& at) { read_options(at, render_rows(), scene.render); });
+    where_given(place, "pattern", [&](const JsonPlace& at) { read_options(at, pattern_option_table(), scene.pattern); });
     where_given(place, "image-lines", [&](const JsonPlace& at) { read_options(at, image_line_option_table(), scene.image_lines); });
     where_given(place, "shader-lines", [&](const JsonPlace& at) { read_options(at, shader_line_option_table(), scene.shader_lines); });
     return scene;
@@ -168,6 +169,7 @@ std::string scene_to_json(const Scene& scene, const std::filesystem::path& folde
     write_section(json, "lines", line_option_table(), scene.lines, usual.lines);
     write_section(json, "style", style_option_table(), scene.style, usual.style);
     write_section(json, "render", render_rows(), scene.render, usual.render);
+    write_section(json, "pattern", pattern_option_table(), scene.pattern, usual.pattern);
     write_section(json, "image-lines", image_line_option_table(), scene.image_lines, usual.image_lines);
     write_section(json, "shader-lines", shader_line_option_table(), scene.shader_lines, usual.shader_lines);
     return json.dump(2) + "\n";
