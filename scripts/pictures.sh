@@ -34,6 +34,30 @@ render render-toon knot --shading toon --toon-levels 3 --light 2,-3,4 --lines il
 render render-flat cylinder --shading flat --lines technical --light 2,-3,5
 render render-dark blob --style dark --surface-colour '#555555' --lines contour,suggestive,highlight
 render render-ground knot --ground --lines contour --background '#dfe8f0' --light 2,-3,5
+upright() { # upright NAME MODEL SIZE OPTIONS...
+    build/limn render "$models/$2.ply" --quiet --size "$3" -o "docs/images/$1.png" "${@:4}"
+}
+
+upright light-sphere knot 480x360 --ground --light sphere:2,4,3,0.6
+upright light-rect knot 480x360 --ground --light rect:-3,3,2,3,2
+upright light-ao knot 480x360 --ground --ao --shadow-samples 256
+# A blue sky with a sun in the upper left, above brown ground.
+python3 - "$models/sky.hdr" <<'PYTHON'
+import math, struct, sys
+width, height = 256, 128
+def bytes_of(rgb):
+    scale, exponent = math.frexp(max(rgb))
+    return bytes([int(c * scale * 256 / max(rgb)) for c in rgb] + [exponent + 128])
+with open(sys.argv[1], "wb") as out:
+    out.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (height, width))
+    for y in range(height):
+        up = math.cos(math.pi * (y + 0.5) / height)
+        for x in range(width):
+            sun = math.exp(-((x - 80) ** 2 + (y - 34) ** 2) / 9)
+            sky = [0.5 - 0.3 * up, 0.6 - 0.2 * up, 0.75] if up > 0 else [0.25, 0.2, 0.15]
+            out.write(bytes_of([c + 150 * sun for c in sky]))
+PYTHON
+upright light-env knot 480x360 --ground --light "env:$models/sky.hdr" --shadow-samples 256
 sample torus 200000
 cp docs/scene.json "$models"
 build/limn render "$models/scene.json" --quiet -o docs/images/scene.png
@@ -88,3 +112,10 @@ fi
 build/limn sample terrain --size 513 --seed 3 --quiet -o "$models/terrain.tif"
 build/limn terrain "$models/terrain.tif" --quiet --size 720x405 -o docs/images/terrain.png
 build/limn terrain "$models/terrain.tif" --quiet --show lines --view 30,18 --iso 50m --size 900x420 -o docs/images/panorama.png
+
+build/limn sample sphere --triangles 100000 --quiet -o "$models/sphere.ply"
+build/limn sample cube --quiet -o "$models/cube.ply"
+upright print-layers knot 480x400 --material layers --layer-height 0.8mm
+upright print-cusps knot 480x400 --material layers --layer-height 0.8mm --show cusp
+upright bricks cube 480x400 --material bricks --ground
+upright thread sphere 480x400 --material thread --ground
