@@ -165,7 +165,7 @@ TEST(SceneRender, LightComesFromTheScene)
     scene.lights = {Lamp{{-9, 0, 0}}};
     const Image lamp = render(scene, front_camera());
     EXPECT_GT(lamp.at(80, 75)[0], lamp.at(120, 75)[0] + 0.2f);
-    scene.lights.push_back(Headlight());
+    scene.lights.emplace_back(Headlight());
     EXPECT_THROW(render(scene, front_camera()), Error::Input);
 }
 
