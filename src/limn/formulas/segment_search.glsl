@@ -1,4 +1,4 @@
-// Included where `uint last_of_run(const uint i)` tells the rank of the last map of a run; so it has no #pragma once.
+// Included where `uint last_of_run(const uint i)` tells the rank of the last map of a run; so it has no guard against a second time.
 
 // The run that holds a map, among those of [first, end), whose last ranks rise and reach it: in as many steps as their number has binary digits.
 FORMULA uint run_of_rank(const uint first, const uint end, const uint rank)
