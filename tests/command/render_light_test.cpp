@@ -1,11 +1,11 @@
-#include "limn/shadow/bake_shadow_maps.h" // first: its formulas need GLM's sines, which those of surface/taylor.h hide
-
 #include <gtest/gtest.h>
 
-#include "command/command.h"
 #include "limn/drawing/hdr.h"
 #include "limn/drawing/png.h"
 #include "limn/geometry/read_mesh.h"
+#include "limn/shadow/bake_shadow_maps.h"
+
+#include "command/command.h" // after the formulas: Taylor's functions would hide theirs
 
 namespace limn::test {
 namespace {
