@@ -178,7 +178,7 @@ TEST(ShadowMaps, RefuseMeshesThatCannotCastShadows)
     EXPECT_EQ(input_fault({}, options), "a mesh without triangles casts no shadow");
     Mesh point;
     point.positions = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
-    point.triangles = {{0, 1, 2}};
+    point.triangles.emplace_back(0, 1, 2);
     EXPECT_EQ(input_fault(point, options), "a mesh whose vertices are all in one place casts no shadow");
     Mesh nowhere = point;
     nowhere.positions[1] = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
@@ -192,7 +192,7 @@ TEST(ShadowMaps, HoldOneTriangleAndFarAwayOnes)
 {
     Mesh triangle;
     triangle.positions = {{1e9, 0, 0}, {1e9 + 1, 0, 0}, {1e9, 1, 0}, {std::numeric_limits<double>::quiet_NaN(), 0, 0}};
-    triangle.triangles = {{0, 1, 2}};
+    triangle.triangles.emplace_back(0, 1, 2);
     const ShadowMaps maps = bake_shadow_maps(triangle, small_options());
     std::size_t hits = 0;
     for (std::size_t texel = 0; texel < 256; ++texel)
