@@ -65,6 +65,7 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/texture_lines.glsl"
 #include "limn/formulas/crease_outline.glsl"
 #include "limn/formulas/direction_grid.glsl"
+#include "limn/formulas/map_rank.glsl"
 #include "limn/formulas/hermite_edge.glsl"
 #include "limn/formulas/suggestive_line.glsl"
 #include "limn/formulas/terrain_bound.glsl"
@@ -306,6 +307,15 @@ Values directions(const Point& p, const RadialTerms&)
              {folded.x - folded.y, 2}}};
 }
 
+/// Whole numbers, so exactly the same.
+Values map_ranks(const Point& p, const RadialTerms&)
+{
+    const ivec2 cell = ivec2(vec2(p.k.z, p.k.w) * 15.9f);
+    const ivec2 cells = ivec2(16, 16);
+    return {{{float(swept_rank(cell.x, cell.y, 16, true)), 1}, {float(hilbert_rank(16u, cell)), 1}, {float(rank_of_cell(PHI_ZIGZAG, cells, cell)), 1},
+             {float(rank_of_cell(HILBERT_CURVE, cells, cell)), 1}, {float(rank_of_cell(THETA_LINEAR, cells, cell)), 1}}};
+}
+
 /// Tangents lose digits where they are made longer.
 Values bent_edges(const Point& p, const RadialTerms&)
 {
@@ -333,6 +343,10 @@ const Formula formulas_of_the_library[] = {
      "MapFrame f = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w)); vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w)); r[0] = place.x;"
      "r[1] = dot(back.towards, v); r[2] = abs(f.right.x) + abs(f.up.y); r[3] = dot(f.up, vec3(1, 2, 3)); r[4] = dot(f.towards, vec3(1, 2, 3)); r[5] = folded.x - folded.y;",
      directions},
+    {"map_rank",
+     "ivec2 cell = ivec2(p.k.zw * 15.9f); ivec2 cells = ivec2(16, 16); r[0] = float(swept_rank(cell.x, cell.y, 16, true)); r[1] = float(hilbert_rank(16u, cell));"
+     "r[2] = float(rank_of_cell(PHI_ZIGZAG, cells, cell)); r[3] = float(rank_of_cell(HILBERT_CURVE, cells, cell)); r[4] = float(rank_of_cell(THETA_LINEAR, cells, cell));",
+     map_ranks},
     {"radial_terms", "r[0] = t.nv; r[1] = t.a; r[2] = t.b; r[3] = t.w2; r[4] = t.vv; r[5] = t.f;", view_in_frame},
     {"radial_curvature and derivatives",
      "r[0] = radial_curvature(t, p.k.x, p.k.y); r[1] = radial_curvature_derivative(t, p.k.x, p.k.y, p.derivative);"
@@ -473,6 +487,8 @@ TEST_F(GpuFormulas, AreAllCompared)
     for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIMN_FORMULAS) / "../../../tests/gpu"))
         if (entry.path().filename().string().ends_with("_formulas_test.cpp"))
             bodies += read_text(entry.path());
+    // A shader whose answers shadow_look_up_test.cpp compares: near borders of texels the least rounding makes another one of them.
+    bodies += read_text(std::filesystem::path(LIMN_FORMULAS) / "../gpu/shaders/shadow_look_up.comp");
     int found = 0;
     for (const auto& entry : std::filesystem::directory_iterator(LIMN_FORMULAS)) {
         const std::string text = read_text(entry.path());
