@@ -60,7 +60,7 @@ Subcommand add_shadow(CLI::App& limn)
     CLI::App* app = limn.add_subcommand("shadow", "Keep what hides what of a rigid object, seen from everywhere, in a small file");
     app->footer(examples);
     const std::vector<Subcommand> subcommands = {add_shadow_bake(*app), add_shadow_show(*app), add_shadow_check(*app)};
-    return {app, [app, subcommands] {
+    return {app, [subcommands] {
                 for (const Subcommand& subcommand : subcommands)
                     if (subcommand.app->parsed())
                         return subcommand.run();
