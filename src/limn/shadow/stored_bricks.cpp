@@ -8,8 +8,9 @@
 
 #include "limn/base/error.h"
 
-// Nearly all of a look-up is counting bits, for which x86-64's base set has no instruction: the best of two versions is chosen at run time.
-#if defined(__x86_64__) && defined(__ELF__)
+// Nearly all of a look-up is counting bits, for which x86-64's base set has no instruction: the best of two versions is chosen at run time. (Clang
+// wants to know of versions before the first call, which is in the class.)
+#if defined(__x86_64__) && defined(__ELF__) && !defined(__clang__)
 #define LIMN_COUNTS_BITS __attribute__((target_clones("popcnt", "default")))
 #else
 #define LIMN_COUNTS_BITS
