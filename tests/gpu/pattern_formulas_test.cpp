@@ -53,7 +53,7 @@ struct Formula {
 #define BOTH(name, ...)                                                                                                                                            \
     {name, #__VA_ARGS__,                                                                                                                                          \
      [](const vec3& n [[maybe_unused]], const vec3& l [[maybe_unused]], const vec3& v [[maybe_unused]], const vec3& t [[maybe_unused]], const vec4& x [[maybe_unused]], \
-        const vec4& k [[maybe_unused]], float(&r)[outputs], float(&s)[outputs] [[maybe_unused]]) { __VA_ARGS__ }}
+        const vec4& k [[maybe_unused]], float(&r)[outputs], float(&s [[maybe_unused]])[outputs]) { __VA_ARGS__ }}
 
 const char* const made_of = R"(
 Illumination lights(const vec3 l, const vec4 k) { Illumination lit = {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; return lit; }
