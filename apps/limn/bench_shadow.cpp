@@ -7,6 +7,7 @@
 #include "bench_table.h"
 #include "limn/base/error.h"
 #include "limn/shadow/map_quality.h"
+#include "shadow_figures.h"
 #include "shadow_pictures.h"
 #include "shadow_studies.h"
 
@@ -78,17 +79,19 @@ void add_studies(const ShadowBench& bench, const std::string& name, Tables& tabl
     add_qualities(subject, bench.maps, bench.resolutions, tables.qualities, tables.plateau);
     add_floors(subject, bench.maps.back(), finest, tables.floors);
     add_list_lengths(subject, bench.maps.back(), finest, tables.lengths);
-    add_pictures(subject, bench.maps.back(), finest, tables.pictures);
     add_look_ups(subject, {bench.maps.back()}, finest, tables.look_ups);
 }
 
 constexpr int many_maps = 16384;
 constexpr std::size_t many_triangles = 820000;
 
+/// The bunny, where it is.
+const std::string& main_model(const ShadowBench& bench) { return bench.models[std::min<std::size_t>(1, bench.models.size() - 1)]; }
+
 /// How look-ups and rays take to many maps, and to many triangles.
 void add_large_look_ups(const ShadowBench& bench, Tables& tables)
 {
-    add_look_ups(shadow_subject(bench.models[std::min<std::size_t>(1, bench.models.size() - 1)]), {many_maps}, bench.finest(), tables.look_ups);
+    add_look_ups(shadow_subject(main_model(bench)), {many_maps}, bench.finest(), tables.look_ups);
     add_look_ups(shadow_subject("knot", many_triangles), {bench.maps.back()}, bench.finest(), tables.look_ups);
 }
 
@@ -106,7 +109,7 @@ std::string text_of(const ShadowBench& bench, const Tables& t)
         "### On a floor, {} x {} texels\n\nWrong answers at places of a floor under the object; the seed's codec with as many maps as fit into a file of the same size, looked up at "
         "the place itself, as it does, and where the line is nearest to the object's middle.\n\n{}\n"
         "### Segments in the seed's lists, {} x {} texels\n\n{}\n"
-        "### Pictures, 1920 x 1080\n\nThe object on a ground under a ball of light, in all threads, medians of 3. A ray or look-up is what the picture takes "
+        "### Pictures, 1920 x 1080\n\nThe object on a ground under a ball of light, in all threads, one each. A ray or look-up is what the picture takes "
         "beyond one whose answers cost nothing, of all threads together.\n\n{}\n"
         "### Look-ups on the object, incoherent, one thread\n\nProcessor time. Rays are Embree's `rtcOccluded1`; lists and bricks are read many at once.\n\n{}",
         LIMN_VERSION, machine_name(), finest, finest, t.sizes.text(), some_maps, middle, middle, t.orders.text(), t.resolutions.text(), middle, middle, t.spreads.text(),
@@ -124,8 +127,11 @@ BenchResult bench_shadow(const BenchRequest& request, Console& console)
         console.progress(bench.models[i], double(i) / double(bench.models.size()));
         add_studies(bench, bench.models[i], tables);
     }
+    add_pictures(shadow_subject(main_model(bench)), bench.maps.back(), bench.finest(), tables.pictures);
     if (request.models.empty() && request.sizes.empty())
         add_large_look_ups(bench, tables);
+    if (!request.figures.empty())
+        write_shadow_figures(request.figures, bench.maps, bench.resolutions, console);
     const nlohmann::ordered_json json = {{"limn", LIMN_VERSION},
                                          {"command", "bench shadow"},
                                          {"machine", machine_name()},

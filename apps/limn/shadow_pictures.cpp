@@ -18,16 +18,15 @@ using namespace limn;
 namespace {
 
 constexpr ivec2 picture_size = {1920, 1080};
-constexpr int runs = 3;
 
-/// Counts what another one is asked.
-class Counting : public Occlusion {
+/// Counts what another one would be asked, and tells at once that nothing hides light: what a picture takes beyond one with this is the answers' time.
+class Idle : public Occlusion {
 public:
-    explicit Counting(std::shared_ptr<const Occlusion> of) : of_(std::move(of)) {}
-    void look(const vec3& from, std::span<const LightPlace> to, std::uint8_t* lit) const override
+    explicit Idle(std::shared_ptr<const Occlusion> of) : of_(std::move(of)) {}
+    void look(const vec3&, std::span<const LightPlace> to, std::uint8_t* lit) const override
     {
         asked_.fetch_add(to.size(), std::memory_order_relaxed);
-        of_->look(from, to, lit);
+        std::fill_n(lit, to.size(), std::uint8_t(1));
     }
     bool may_hide(const vec3& from, const Ball& light) const override { return of_->may_hide(from, light); }
     std::size_t asked() const { return asked_; }
@@ -35,17 +34,6 @@ public:
 private:
     std::shared_ptr<const Occlusion> of_;
     mutable std::atomic<std::size_t> asked_ = 0;
-};
-
-/// Tells that nothing hides light, as fast as can be, after as much ado as another one: what is left of a picture's time without it is that one's.
-class Idle : public Occlusion {
-public:
-    explicit Idle(std::shared_ptr<const Occlusion> of) : of_(std::move(of)) {}
-    void look(const vec3&, std::span<const LightPlace> to, std::uint8_t* lit) const override { std::fill_n(lit, to.size(), std::uint8_t(1)); }
-    bool may_hide(const vec3& from, const Ball& light) const override { return of_->may_hide(from, light); }
-
-private:
-    std::shared_ptr<const Occlusion> of_;
 };
 
 /// The object on a ground, under a ball of light as large as a quarter of it.
@@ -75,15 +63,13 @@ PictureTimes time_picture(Scene& scene, const SceneModel& model, const Camera& c
     scene.render.shadow = method;
     const SeenScene seen = seen_scene(model.lines, model.rays);
     ShadeOptions options = pixel_options(scene, model, model.lines, seen).shade;
-    const auto seconds = [&] { return median_ms(runs, [&] { shade(seen, camera, options); }) / 1000; };
+    const auto seconds = [&] { return ms_of([&] { shade(seen, camera, options); }) / 1000; };
     PictureTimes times = {seconds(), 0, 0};
     if (const std::shared_ptr<const Occlusion> own = options.occlusion) {
-        const auto counting = std::make_shared<const Counting>(own);
-        options.occlusion = counting;
-        shade(seen, camera, options);
-        times.queries = counting->asked();
-        options.occlusion = std::make_shared<const Idle>(own);
+        const auto idle = std::make_shared<const Idle>(own);
+        options.occlusion = idle;
         times.idle_seconds = seconds();
+        times.queries = idle->asked();
     }
     return times;
 }
