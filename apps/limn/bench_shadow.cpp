@@ -127,7 +127,7 @@ BenchResult bench_shadow(const BenchRequest& request, Console& console)
         console.progress(bench.models[i], double(i) / double(bench.models.size()));
         add_studies(bench, bench.models[i], tables);
     }
-    add_pictures(shadow_subject(main_model(bench)), bench.maps.back(), bench.finest(), tables.pictures);
+    add_pictures(shadow_subject(main_model(bench)), bench.maps.back(), bench.finest(), request.full ? std::vector<int>{1, 16, 64, 256} : std::vector<int>{1, 16, 64}, tables.pictures);
     if (request.models.empty() && request.sizes.empty())
         add_large_look_ups(bench, tables);
     if (!request.figures.empty())

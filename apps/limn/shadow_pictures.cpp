@@ -82,7 +82,7 @@ std::string nanoseconds_text(const PictureTimes& times)
 
 } // namespace
 
-void add_pictures(const ShadowSubject& subject, int maps, int resolution, MarkdownTable& table)
+void add_pictures(const ShadowSubject& subject, int maps, int resolution, const std::vector<int>& all_samples, MarkdownTable& table)
 {
     const ScratchFolder folder;
     const std::filesystem::path file = folder / "maps.csm";
@@ -92,7 +92,7 @@ void add_pictures(const ShadowSubject& subject, int maps, int resolution, Markdo
     Scene scene = scene_of(subject, file);
     const SceneModel model = prepare_scene(scene);
     const Camera camera = Camera::framing(model.bounds, {.view = "30,25", .size = picture_size});
-    for (const int samples : {1, 16, 64, 256}) {
+    for (const int samples : all_samples) {
         scene.render.shadow_samples = samples;
         const PictureTimes none = time_picture(scene, model, camera, ShadowMethod::nothing), rays = time_picture(scene, model, camera, ShadowMethod::rays),
                            by_maps = time_picture(scene, model, camera, ShadowMethod::maps);
