@@ -22,7 +22,10 @@ namespace {
 
 constexpr const char* group = "G-code";
 
-bool is_among(std::string_view name, std::initializer_list<std::string_view> names) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool is_among(std::string_view name, std::initializer_list<std::string_view> names)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 template <class Options> void refuse(const CLI::App& app, const OptionTable<Options>& table, std::initializer_list<std::string_view> but)
 {
@@ -39,8 +42,11 @@ void refuse_mesh_options(const CLI::App& app, const PatternOptions& pattern)
     refuse(app, subdivision_option_table(), {});
     refuse(app, image_line_option_table(), {});
     refuse(app, shader_line_option_table(), {});
-    refuse(app, render_option_table(), {"light", "lamp", "shadow", "shadow-samples", "background", "ground", "ground-colour", "samples", "bits"});
-    refuse(app, pattern_option_table(), {"material", "filament", "print-colour", "reflection", "specular", "exponent", "variety", "pattern-filter", "filter-width", "filter-box"});
+    refuse(app, render_option_table(),
+           {"light", "lamp", "shadow", "shadow-samples", "background", "ground", "ground-colour", "samples", "bits"});
+    refuse(app, pattern_option_table(),
+           {"material", "filament", "print-colour", "reflection", "specular", "exponent", "variety", "pattern-filter", "filter-width",
+            "filter-box"});
     for (const char* option : {"--pass", "--overlay", "--shadow-maps", "--layer-heights", "--cache", "--up-axis"})
         if (app.count(option) > 0)
             throw Error::Input(fmt::format("{}: G-code is drawn bead by bead; that option is for meshes", option));
@@ -90,29 +96,32 @@ struct PrintTimes {
     double read = 0, tree = 0, paint = 0, write = 0;
 };
 
-std::string report(const std::string& file, const PrintPath& path, const SeenPrint& print, const std::vector<Sheet>& sheets, const std::vector<std::string>& written, const PrintTimes& times)
+std::string report(const std::string& file, const PrintPath& path, const SeenPrint& print, const std::vector<Sheet>& sheets,
+                   const std::vector<std::string>& written, const PrintTimes& times)
 {
     nlohmann::ordered_json views = nlohmann::ordered_json::array();
     for (const Sheet& sheet : sheets)
         for (const Camera& camera : sheet.cameras)
             views.push_back({{"camera", nlohmann::ordered_json::parse(camera_to_json(camera))}});
-    const nlohmann::ordered_json json = {{"limn", LIMN_VERSION},
-                                         {"command", "render"},
-                                         {"device", "processor"},
-                                         {"file", file},
-                                         {"print", {{"layers", path.layers.size()}, {"moves", path.moves.size()}, {"shown", print.moves.size()}}},
-                                         {"views", views},
-                                         {"warnings", path.notes},
-                                         {"outputs", written},
-                                         {"seconds", {{"read", times.read}, {"tree", times.tree}, {"paint", times.paint}, {"write", times.write}}}};
+    const nlohmann::ordered_json json = {
+        {"limn", LIMN_VERSION},
+        {"command", "render"},
+        {"device", "processor"},
+        {"file", file},
+        {"print", {{"layers", path.layers.size()}, {"moves", path.moves.size()}, {"shown", print.moves.size()}}},
+        {"views", views},
+        {"warnings", path.notes},
+        {"outputs", written},
+        {"seconds", {{"read", times.read}, {"tree", times.tree}, {"paint", times.paint}, {"write", times.write}}}};
     return json.dump(2) + "\n";
 }
 
 std::string note_of(const PrintPath& path, const SeenPrint& print, const PrintOptions& options)
 {
     const int last = std::min(options.last_layer, int(path.layers.size()));
-    const std::string layers = options.first_layer == 1 && last == int(path.layers.size()) ? counted(path.layers.size(), "layer")
-                                                                                         : fmt::format("layers {} to {} of {}", options.first_layer, last, path.layers.size());
+    const std::string layers = options.first_layer == 1 && last == int(path.layers.size())
+                                   ? counted(path.layers.size(), "layer")
+                                   : fmt::format("layers {} to {} of {}", options.first_layer, last, path.layers.size());
     const dvec3 size = print.bounds.size();
     return fmt::format("{}, {:.4g} x {:.4g} x {:.4g} mm", layers, size.x, size.y, size.z);
 }
@@ -127,7 +136,8 @@ void add_print_options(CLI::App& app, PrintOptions& options)
 
 bool is_print(const PictureCommand& pictures)
 {
-    const auto prints = std::count_if(pictures.files.begin(), pictures.files.end(), [&](const std::string& file) { return is_gcode(file, pictures.from); });
+    const auto prints =
+        std::count_if(pictures.files.begin(), pictures.files.end(), [&](const std::string& file) { return is_gcode(file, pictures.from); });
     if (prints > 0 && pictures.files.size() > 1)
         throw Error::Input("a print from G-code is drawn alone; give one file");
     return prints > 0;
@@ -145,8 +155,8 @@ void refuse_print_options(const CLI::App& app)
         refuse_row(row.name);
 }
 
-void render_print(const CLI::App& app, PictureCommand& pictures, RenderOptions& render, const PatternOptions& pattern, const PrintOptions& options,
-                  const std::function<void(const Drawing&, const Output&)>& write)
+void render_print(const CLI::App& app, PictureCommand& pictures, RenderOptions& render, const PatternOptions& pattern,
+                  const PrintOptions& options, const std::function<void(const Drawing&, const Output&)>& write)
 {
     const Stopwatch total;
     refuse_mesh_options(app, pattern);
@@ -187,7 +197,8 @@ void render_print(const CLI::App& app, PictureCommand& pictures, RenderOptions& 
             drawing.mm_per_pixel = sheet.mm_per_pixel;
             drawing.background = paint_print(print, path, camera, options, pattern, shade);
         }
-        Drawing drawing = drawings.size() == 1 ? std::move(drawings.front()) : lay_on_sheet(std::move(drawings), sheet.corners, sheet.size, pictures.view.views);
+        Drawing drawing = drawings.size() == 1 ? std::move(drawings.front())
+                                               : lay_on_sheet(std::move(drawings), sheet.corners, sheet.size, pictures.view.views);
         add_print_legend(drawing, legend);
         times.paint += watch.lap();
         for (const Output& output : outputs) {
@@ -199,5 +210,6 @@ void render_print(const CLI::App& app, PictureCommand& pictures, RenderOptions& 
     }
     if (pictures.common.json)
         write_file("-", report(file, path, print, sheets, written, times));
-    console.finish(fmt::format("{}: {}, {}; {}", what_was_written(written), counted(print.moves.size(), "bead"), seconds_text(total.total()), note_of(path, print, options)));
+    console.finish(fmt::format("{}: {}, {}; {}", what_was_written(written), counted(print.moves.size(), "bead"),
+                               seconds_text(total.total()), note_of(path, print, options)));
 }

@@ -17,5 +17,5 @@ void refuse_print_options(const CLI::App& app);
 /// Draws a print from its G-code, and writes every picture.
 /// @param write  a picture with its legend to one of the files
 /// @throws limn::Error::Input for options that are of meshes, limn::Error::Read as read_gcode
-void render_print(const CLI::App& app, PictureCommand& pictures, limn::RenderOptions& render, const limn::PatternOptions& pattern, const limn::PrintOptions& print,
-                  const std::function<void(const limn::Drawing&, const Output&)>& write);
+void render_print(const CLI::App& app, PictureCommand& pictures, limn::RenderOptions& render, const limn::PatternOptions& pattern,
+                  const limn::PrintOptions& print, const std::function<void(const limn::Drawing&, const Output&)>& write);

@@ -19,11 +19,13 @@ vec3 colour_of(const Rgb& c) { return {c[0], c[1], c[2]}; }
 
 /// By feature, in their order: walls warm, what fills them cool, what comes off grey or green.
 constexpr Rgb feature_colours[bead_feature_count] = {
-    {0.93f, 0.55f, 0.19f}, {0.96f, 0.80f, 0.35f}, {0.35f, 0.36f, 0.80f}, {0.84f, 0.25f, 0.24f}, {0.62f, 0.30f, 0.62f}, {0.66f, 0.16f, 0.23f}, {0.29f, 0.51f, 0.80f},
-    {0.95f, 0.93f, 0.85f}, {0.95f, 0.60f, 0.62f}, {0.20f, 0.50f, 0.36f}, {0.28f, 0.70f, 0.35f}, {0.15f, 0.58f, 0.55f}, {0.66f, 0.72f, 0.60f}, {0.55f, 0.55f, 0.55f},
+    {0.93f, 0.55f, 0.19f}, {0.96f, 0.80f, 0.35f}, {0.35f, 0.36f, 0.80f}, {0.84f, 0.25f, 0.24f}, {0.62f, 0.30f, 0.62f},
+    {0.66f, 0.16f, 0.23f}, {0.29f, 0.51f, 0.80f}, {0.95f, 0.93f, 0.85f}, {0.95f, 0.60f, 0.62f}, {0.20f, 0.50f, 0.36f},
+    {0.28f, 0.70f, 0.35f}, {0.15f, 0.58f, 0.55f}, {0.66f, 0.72f, 0.60f}, {0.55f, 0.55f, 0.55f},
 };
 constexpr Rgb tool_colours[] = {
-    {0.93f, 0.55f, 0.19f}, {0.20f, 0.48f, 0.72f}, {0.35f, 0.65f, 0.30f}, {0.78f, 0.25f, 0.30f}, {0.55f, 0.40f, 0.70f}, {0.90f, 0.80f, 0.30f}, {0.30f, 0.30f, 0.32f}, {0.92f, 0.92f, 0.90f},
+    {0.93f, 0.55f, 0.19f}, {0.20f, 0.48f, 0.72f}, {0.35f, 0.65f, 0.30f}, {0.78f, 0.25f, 0.30f},
+    {0.55f, 0.40f, 0.70f}, {0.90f, 0.80f, 0.30f}, {0.30f, 0.30f, 0.32f}, {0.92f, 0.92f, 0.90f},
 };
 
 double value_of(PrintColour kind, const PrintMove& move) { return double(kind == PrintColour::height ? move.height : move.speed); }
@@ -34,7 +36,8 @@ vec3 travel_colour() { return {0.24f, 0.62f, 0.86f}; }
 vec3 feature_colour(BeadFeature feature) { return colour_of(feature_colours[int(feature)]); }
 vec3 tool_colour(int tool) { return colour_of(tool_colours[std::size_t(tool) % std::size(tool_colours)]); }
 
-BeadColours::BeadColours(const PrintPath& path, const PrintOptions& options, const vec3& filament) : kind_(options.colour), filament_(linear_colour(filament))
+BeadColours::BeadColours(const PrintPath& path, const PrintOptions& options, const vec3& filament)
+    : kind_(options.colour), filament_(linear_colour(filament))
 {
     std::bitset<bead_feature_count> features;
     std::bitset<256> tools;

@@ -35,7 +35,8 @@ OptionRow<O> layers_row()
     auto get = [](const O& options) {
         if (options.first_layer == 1 && options.last_layer == last_of_all)
             return std::string("all");
-        return options.last_layer == last_of_all ? fmt::format("{}..", options.first_layer) : fmt::format("{}..{}", options.first_layer, options.last_layer);
+        return options.last_layer == last_of_all ? fmt::format("{}..", options.first_layer)
+                                                 : fmt::format("{}..{}", options.first_layer, options.last_layer);
     };
     return {"layers", "", "A..B|all", "of G-code that are shown, counted from 1; also A.., ..B and A", set, get, OptionKind::text};
 }
@@ -54,7 +55,8 @@ const OptionTable<PrintOptions>& print_option_table()
                                    "what colours of G-code's beads tell; a legend explains them", &O::colour),
         layers_row(),
         switch_row("travel", "show the nozzle's ways without beads, too", &O::travel),
-        number_row("bead-detail", "px", 0, 10000, "beads nearer to each other than this are drawn as layers, filtered, not one by one", &O::detail),
+        number_row("bead-detail", "px", 0, 10000, "beads nearer to each other than this are drawn as layers, filtered, not one by one",
+                   &O::detail),
     };
     return table;
 }
@@ -62,7 +64,8 @@ const OptionTable<PrintOptions>& print_option_table()
 const OptionTable<GcodeOptions>& gcode_option_table()
 {
     static const OptionTable<GcodeOptions> table = {
-        number_row("filament-diameter", "mm", 0, 20, "of G-code without widths; 0: as the file tells, else 1.75", &GcodeOptions::filament_diameter),
+        number_row("filament-diameter", "mm", 0, 20, "of G-code without widths; 0: as the file tells, else 1.75",
+                   &GcodeOptions::filament_diameter),
     };
     return table;
 }

@@ -20,8 +20,8 @@ enum class PrintColour : std::uint8_t {
 struct PrintOptions {
     PrintColour colour = PrintColour::filament;
     int first_layer = 1, last_layer = std::numeric_limits<int>::max(); ///< that are shown, counted from 1
-    bool travel = false;       ///< ways without beads are shown, too
-    double detail = 3;         ///< pixels: beads whose period is less are not drawn one by one, but as the layers they make
+    bool travel = false;                                               ///< ways without beads are shown, too
+    double detail = 3; ///< pixels: beads whose period is less are not drawn one by one, but as the layers they make
     GcodeOptions gcode;
 };
 

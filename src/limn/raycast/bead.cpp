@@ -53,30 +53,42 @@ float BeadShape::distance(const vec3& place, vec3& normal) const
 
 float BeadShape::meet(const vec3& origin, const vec3& direction, float near, float far, vec3& normal) const
 {
+    const vec3 from_middle = origin - middle_;
+    const vec3 d = {glm::dot(direction, along_), glm::dot(direction, aside_), glm::dot(direction, above_)};
+    const vec3 o = {glm::dot(from_middle, along_), glm::dot(from_middle, aside_), glm::dot(from_middle, above_)};
+    const vec3 box = {half_ + flat_ + round_, flat_ + round_, tall_ + round_};
+    float start = near, end = far; // within the box around the body
+    for (int k = 0; k < 3; ++k) {
+        const float inverse = 1 / d[k], middle = -o[k] * inverse, half = box[k] * std::abs(inverse);
+        if (std::abs(d[k]) < 1e-12f) {
+            if (std::abs(o[k]) > box[k])
+                return -1;
+            continue;
+        }
+        start = std::max(start, middle - half);
+        end = std::min(end, middle + half);
+    }
+    if (!(start <= end))
+        return -1;
     // The distance from a convex body is a convex function along a line: Newton's steps from before it never pass the place where it ends.
     constexpr int most_steps = 40;
-    const vec3 d = {glm::dot(direction, along_), glm::dot(direction, aside_), glm::dot(direction, above_)};
-    const vec3 from_middle = origin - middle_;
-    const float reach = half_ + flat_ + tall_ + 2 * round_;
-    const float start = std::max(near, -glm::dot(from_middle, direction) - reach);
-    const vec3 first = from_middle + start * direction;
-    const vec3 o = {glm::dot(first, along_), glm::dot(first, aside_), glm::dot(first, above_)};
-    const float enough = 1e-4f * round_ + 5e-7f * (std::abs(start) + reach);
+    const vec3 first = o + start * d;
+    const float enough = 1e-4f * round_ + 5e-7f * std::abs(start);
     float t = 0;
     vec3 g;
     for (int k = 0; k < most_steps; ++k) {
-        const float off = local_distance(o + t * d, g);
+        const float off = local_distance(first + t * d, g);
         if (off < enough) {
             if (k == 0 && off < -enough)
                 return -1; // begins inside
             normal = g.x * along_ + g.y * aside_ + g.z * above_;
-            return start + t <= far ? start + t : -1;
+            return start + t;
         }
         const float slope = glm::dot(g, d);
         if (slope > -1e-6f)
             return -1;
         t -= off / slope;
-        if (start + t > far)
+        if (start + t > end)
             return -1;
     }
     return -1;

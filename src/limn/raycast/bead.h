@@ -25,6 +25,8 @@ public:
     float half_length() const { return half_; }
     float flat() const { return flat_; }   ///< half of the width that is flat
     float round() const { return round_; } ///< radius of the rounding
+    float width() const { return 2 * (flat_ + round_); }
+    float height() const { return 2 * (tall_ + round_); }
 
     /// How far a place is from the body; below 0 inside. `normal`: the unit direction in which that grows.
     float distance(const vec3& place, vec3& normal) const;

@@ -15,16 +15,16 @@ namespace {
 constexpr int most_parts = 64;
 constexpr float widths_of_part = 8; ///< a part reaches about so many widths along the shorter side of the box
 
-int parts_of(const Bead& bead)
+int parts_of(const BeadShape& bead)
 {
-    const vec3 way = glm::abs(bead.to - bead.from);
-    return std::clamp(int(std::min(way.x, way.y) / (widths_of_part * std::max(bead.width, bead.height))), 1, most_parts);
+    const vec3 way = 2 * bead.half_length() * glm::abs(bead.along());
+    return std::clamp(int(std::min(way.x, way.y) / (widths_of_part * std::max(bead.width(), bead.height()))), 1, most_parts);
 }
 
 } // namespace
 
 struct BeadScene::Embree {
-    std::vector<Bead> beads;
+    std::vector<BeadShape> beads;
     std::vector<std::uint32_t> first_part;   ///< of each bead, and the total; empty: every bead is one part
     std::vector<std::uint32_t> bead_of_part; ///< empty as above
     RTCDevice device = nullptr;
@@ -47,7 +47,7 @@ struct BeadScene::Embree {
     {
         std::vector<std::uint32_t> first = {0};
         first.reserve(beads.size() + 1);
-        for (const Bead& bead : beads)
+        for (const BeadShape& bead : beads)
             first.push_back(first.back() + std::uint32_t(parts_of(bead)));
         if (first.back() == beads.size())
             return;
@@ -61,7 +61,7 @@ struct BeadScene::Embree {
     {
         const auto& self = *static_cast<const Embree*>(arguments->geometryUserPtr);
         const std::uint32_t bead = self.bead_at(arguments->primID);
-        const BeadShape shape(self.beads[bead]);
+        const BeadShape& shape = self.beads[bead];
         vec3 middle = shape.middle();
         float part = 1;
         if (!self.first_part.empty()) {
@@ -78,7 +78,7 @@ struct BeadScene::Embree {
     /// The nearest place so far is moved nearer where a bead is met before it.
     bool meet(unsigned part, const RTCRay& ray, float& distance, vec3& normal) const
     {
-        const BeadShape shape(beads[bead_at(part)]);
+        const BeadShape& shape = beads[bead_at(part)];
         distance = shape.meet({ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear, ray.tfar, normal);
         return distance >= ray.tnear;
     }
@@ -112,7 +112,7 @@ struct BeadScene::Embree {
     }
 };
 
-BeadScene::BeadScene(std::vector<Bead> beads) : embree_(std::make_unique<Embree>())
+BeadScene::BeadScene(std::vector<BeadShape> beads) : embree_(std::make_unique<Embree>())
 {
     Embree& e = *embree_;
     e.beads = std::move(beads);
@@ -177,6 +177,6 @@ bool BeadScene::occluded(const Ray& ray) const
     return query.tfar < 0;
 }
 
-const std::vector<Bead>& BeadScene::beads() const { return embree_->beads; }
+const std::vector<BeadShape>& BeadScene::beads() const { return embree_->beads; }
 
 } // namespace limn

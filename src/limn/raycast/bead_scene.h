@@ -17,11 +17,11 @@ struct BeadHit {
 };
 
 /// A bounding volume hierarchy (Embree) over beads, which rays meet exactly: no triangles stand for them. Beads may overlap, and a ray that begins inside
-/// of one does not meet that one. Safe to query from many threads. Takes about 90 bytes a bead, with the bead.
+/// of one does not meet that one. Safe to query from many threads. Takes about 130 bytes a bead, with its shape.
 class BeadScene {
 public:
     /// @throws Error::Device when Embree cannot build the scene
-    explicit BeadScene(std::vector<Bead> beads);
+    explicit BeadScene(std::vector<BeadShape> beads);
     ~BeadScene();
     BeadScene(BeadScene&&) noexcept;
     BeadScene& operator=(BeadScene&&) noexcept;
@@ -29,7 +29,7 @@ public:
     /// @param ray  its direction is a unit vector
     BeadHit closest(const Ray& ray) const;
     bool occluded(const Ray& ray) const;
-    const std::vector<Bead>& beads() const;
+    const std::vector<BeadShape>& beads() const;
 
 private:
     struct Embree;

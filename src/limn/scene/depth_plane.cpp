@@ -24,7 +24,7 @@ const std::array<vec2, sample_count>& disc_samples()
 }
 
 struct Sample {
-    double x, y;  ///< pixels from the middle one
+    double x, y; ///< pixels from the middle one
     double depth;
     double value; ///< what is affine over a plane: 1 / depth, or depth
     double weight;
@@ -54,7 +54,8 @@ std::optional<dvec3> affine_fit(const std::array<Sample, sample_count + 1>& samp
 } // namespace
 
 DepthPicture::DepthPicture(const Camera& camera, double scale)
-    : size_(camera.size), orthographic_(camera.orthographic), forward_(camera.forward()), depths_(std::size_t(size_.x) * std::size_t(size_.y))
+    : size_(camera.size), orthographic_(camera.orthographic), forward_(camera.forward()),
+      depths_(std::size_t(size_.x) * std::size_t(size_.y))
 {
     const double pixel = 1 / camera.pixels_per_unit(1), factor = orthographic_ ? pixel / scale : pixel;
     right_ = factor * camera.right();
@@ -89,7 +90,8 @@ vec3 DepthPicture::normal_at(int px, int py, int radius, float thick) const
         if (!fit)
             return vec3(0);
         const double a = fit->x - fit->y * from_middle.x - fit->z * from_middle.y; // at the middle of the picture
-        normal = orthographic_ ? forward_ - (fit->y / r2) * right_ - (fit->z / d2) * down_ : a * forward_ + (fit->y / r2) * right_ + (fit->z / d2) * down_;
+        normal = orthographic_ ? forward_ - (fit->y / r2) * right_ - (fit->z / d2) * down_
+                               : a * forward_ + (fit->y / r2) * right_ + (fit->z / d2) * down_;
         normal = -glm::normalize(normal);
         kept = 0;
         for (int k = 0; k < count; ++k) {

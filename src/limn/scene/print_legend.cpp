@@ -30,7 +30,10 @@ double width_of(const std::string& text)
     return 2 * capital * most;
 }
 
-void add_left(Drawing& drawing, double left, double base, const std::string& text) { drawing.captions.push_back({{left + 0.5 * width_of(text), base}, capital, text, 0}); }
+void add_left(Drawing& drawing, double left, double base, const std::string& text)
+{
+    drawing.captions.push_back({{left + 0.5 * width_of(text), base}, capital, text, 0});
+}
 
 } // namespace
 

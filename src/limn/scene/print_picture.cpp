@@ -16,7 +16,6 @@ namespace {
 
 using namespace formulas;
 
-constexpr float mixed_until = 1.5f; ///< times the detail, from where on beads are drawn one by one alone
 constexpr float same_surface = 0.9f; ///< cosine between normals
 
 /// What the middle of a pixel sees.
@@ -29,16 +28,24 @@ struct PixelView {
 
 class PrintPainter {
 public:
-    PrintPainter(const SeenPrint& print, const PrintPath& path, const Camera& camera, const PrintOptions& options, const PatternOptions& pattern, const ShadeOptions& shade)
-        : print_(print), options_(options), shade_(shade), camera_(camera), pattern_camera_(camera, print.centre, print.scale, PatternFrame()),
-          light_(pattern_light(print.centre, print.scale, camera, shade, shade.up)), colours_(path, options, pattern.colour.value_or(find_filament(pattern.filament).colour)),
-          shader_(print, path, pattern_camera_, pattern, print_finish(pattern), light_, colours_), empty_{nullptr, {}, print.centre, print.scale, {}}, sights_(empty_, camera),
-          size_(camera.size), light_places_(even_samples(shade.light_samples, KERNEL_BOX, 1, vec2(0)))
+    PrintPainter(const SeenPrint& print, const PrintPath& path, const Camera& camera, const PrintOptions& options,
+                 const PatternOptions& pattern, const ShadeOptions& shade)
+        : print_(print), options_(options), shade_(shade), camera_(camera),
+          pattern_camera_(camera, print.centre, print.scale, PatternFrame()),
+          light_(pattern_light(print.centre, print.scale, camera, shade, shade.up)),
+          colours_(path, options, pattern.colour.value_or(find_filament(pattern.filament).colour)),
+          shader_(print, path, pattern_camera_, pattern, print_finish(pattern), light_, colours_), empty_{nullptr,
+                                                                                                          {},
+                                                                                                          print.centre,
+                                                                                                          print.scale,
+                                                                                                          {}},
+          sights_(empty_, camera), size_(camera.size), light_places_(even_samples(shade.light_samples, KERNEL_BOX, 1, vec2(0)))
     {
         if (!shade.ground)
             return;
         plane_.emplace(*shade.ground, print.centre, print.scale);
-        ground_shadow_.emplace([&](const Ray& ray) { return print.scene.occluded(ray); }, *plane_, light_.place ? glm::normalize(*light_.place) : light_.lighting.to_light);
+        ground_shadow_.emplace([&](const Ray& ray) { return print.scene.occluded(ray); }, *plane_,
+                               light_.place ? glm::normalize(*light_.place) : light_.lighting.to_light);
     }
 
     Image paint()
@@ -103,7 +110,8 @@ private:
     /// Bodies are far larger than pixels: nobody needs to know what surface they make.
     bool is_near(const PixelView& v) const
     {
-        return !v.seen.hit() || !shader_.move(v.seen).extrudes() || print_.scene.beads()[v.seen.bead].height > 4 * mixed_until * float(options_.detail) * v.size;
+        return !v.seen.hit() || !shader_.move(v.seen).extrudes() ||
+               print_.scene.beads()[v.seen.bead].height() > 6 * float(options_.detail) * v.size;
     }
 
     void find_surfaces()
@@ -120,25 +128,48 @@ private:
             const PixelView& v = view(x, y);
             if (is_near(v))
                 return;
-            const float height = print_.scene.beads()[v.seen.bead].height;
+            const float height = print_.scene.beads()[v.seen.bead].height(), thick = 0.8f * height + 0.5f * v.size;
             const int radius = std::clamp(int(2.5f * height / v.size) + 2, 4, 10);
-            raw[std::size_t(&v - views_.data())] = depths.normal_at(x, y, radius, 0.8f * height + 0.5f * v.size);
+            vec3& n = raw[std::size_t(&v - views_.data())];
+            n = depths.normal_at(x, y, radius, thick);
+            if (n == vec3(0)) // at the rim of a surface
+                n = depths.normal_at(x, y, radius / 2, thick);
         });
         each_pixel([&](int x, int y) {
             PixelView& v = view(x, y);
-            const vec3 own = raw[std::size_t(&v - views_.data())];
-            if (own == vec3(0))
+            if (is_near(v))
                 return;
-            vec3 sum(0);
-            each_around(x, y, 2, [&](const PixelView& other) {
-                const vec3& n = raw[std::size_t(&other - views_.data())];
-                if (glm::dot(own, n) > same_surface)
-                    sum += n;
-            });
-            v.surface = glm::normalize(sum);
-            const float least = shader_.periods(v.seen, v.surface).least();
-            v.bodies = options_.detail > 0 ? glm::smoothstep(float(options_.detail), mixed_until * float(options_.detail), least) : 1;
+            v.surface = smooth_normal(x, y, raw);
+            if (v.surface != vec3(0))
+                v.bodies = shader_.periods(v.seen, v.surface).bodies(float(options_.detail));
         });
+    }
+
+    /// The mean of the normals around that belong to the same surface. A pixel without one, or with one that few around agree with, has that of those whose
+    /// planes its place is near to.
+    vec3 smooth_normal(int x, int y, const std::vector<vec3>& raw) const
+    {
+        constexpr int reach = 2, far_reach = 5;
+        const PixelView& v = view(x, y);
+        const vec3& own = raw[std::size_t(&v - views_.data())];
+        const float thick = 0.6f * print_.scene.beads()[v.seen.bead].height() + 0.5f * v.size;
+        vec3 same(0), others(0);
+        int same_count = 0, other_count = 0;
+        each_around(x, y, own == vec3(0) ? far_reach : reach, [&](const PixelView& other) {
+            const vec3& n = raw[std::size_t(&other - views_.data())];
+            if (n == vec3(0))
+                return;
+            if (glm::dot(own, n) > same_surface) {
+                same += n;
+                ++same_count;
+            } else if (std::abs(glm::dot(v.seen.position - other.seen.position, n)) < thick) {
+                others += n;
+                ++other_count;
+            }
+        });
+        const vec3 sum = other_count > 2 * same_count ? others : same;
+        const float size = glm::length(sum);
+        return size > 0 ? sum / size : vec3(0);
     }
 
     /// Whether neighbours differ so that a pixel between them needs more than one ray.
@@ -154,8 +185,9 @@ private:
         const float off = std::min(std::abs(glm::dot(step, na)), std::abs(glm::dot(step, nb)));
         const float size = std::max(a.size, b.size);
         if (!bodies)
-            return glm::dot(na, nb) < 0.85f || off > 3 * size + 0.5f * print_.scene.beads()[a.seen.bead].height;
-        return a.seen.bead != b.seen.bead ? glm::dot(a.seen.normal, b.seen.normal) < 0.99f || off > 0.3f * size : glm::dot(a.seen.normal, b.seen.normal) < 0.9f;
+            return glm::dot(na, nb) < 0.85f || off > 3 * size + 0.5f * print_.scene.beads()[a.seen.bead].height();
+        return a.seen.bead != b.seen.bead ? glm::dot(a.seen.normal, b.seen.normal) < 0.99f || off > 0.3f * size
+                                          : glm::dot(a.seen.normal, b.seen.normal) < 0.9f;
     }
     bool is_on_edge(int x, int y) const
     {
@@ -171,14 +203,16 @@ private:
         if (!shade_.occlusion)
             return 1;
         const vec3 n = surface == vec3(0) ? seen.normal : surface;
-        const vec3 from = seen.position + 1.2f * print_.scene.beads()[seen.bead].height * n; // out of the beads' own grooves
+        const vec3 from = seen.position + 1.2f * print_.scene.beads()[seen.bead].height() * n; // out of the beads' own grooves
         const vec3 to = light_.place ? glm::normalize(*light_.place - from) : light_.lighting.to_light;
-        const vec3 aside = glm::normalize(glm::cross(std::abs(to.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to)), above = glm::cross(to, aside);
+        const vec3 aside = glm::normalize(glm::cross(std::abs(to.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to)),
+                   above = glm::cross(to, aside);
         const float own = number_of(int(pixel.x) + 8191 * int(pixel.y)), away = light_.place ? glm::length(*light_.place - from) : 1;
         std::vector<LightPlace> wanted(count);
         std::vector<std::uint8_t> lit(count);
         for (std::size_t k = 0; k < count; ++k) {
-            const float radius = light_.lighting.radius * std::sqrt(light_places_[k].x + 0.5f), turn = 6.2831853f * (light_places_[k].y + own);
+            const float radius = light_.lighting.radius * std::sqrt(light_places_[k].x + 0.5f),
+                        turn = 6.2831853f * (light_places_[k].y + own);
             const vec3 off = radius * (std::cos(turn) * aside + std::sin(turn) * above);
             wanted[k] = {light_.place ? vec4(*light_.place + away * off, 1) : vec4(to + off, 0), vec2(glm::fract(light_places_[k] + own))};
         }
@@ -243,7 +277,8 @@ private:
         const auto off = [&](const PixelView& v) {
             const vec3 step = seen.position - v.seen.position;
             const vec3& n = v.bodies < 1 ? v.surface : v.seen.normal;
-            return std::abs(glm::dot(step, n)) + 0.2f * glm::length(step) + (shader_.move(v.seen).extrudes() == shader_.move(seen).extrudes() ? 0.0f : 10.0f);
+            return std::abs(glm::dot(step, n)) + 0.2f * glm::length(step) +
+                   (shader_.move(v.seen).extrudes() == shader_.move(seen).extrudes() ? 0.0f : 10.0f);
         };
         each_around(x, y, 1, [&](const PixelView& v) {
             if (!v.seen.hit())
@@ -298,7 +333,8 @@ private:
 
 } // namespace
 
-Image paint_print(const SeenPrint& print, const PrintPath& path, const Camera& camera, const PrintOptions& options, const PatternOptions& pattern, const ShadeOptions& shade)
+Image paint_print(const SeenPrint& print, const PrintPath& path, const Camera& camera, const PrintOptions& options,
+                  const PatternOptions& pattern, const ShadeOptions& shade)
 {
     check(shade, 1);
     return PrintPainter(print, path, camera, options, pattern, shade).paint();

@@ -17,7 +17,8 @@ namespace limn {
 /// @param path     what `print` was made of
 /// @param shade    background, ground, light, samples; `occlusion` of bead_occlusion, or null
 /// @throws Error::Input for options out of range
-Image paint_print(const SeenPrint& print, const PrintPath& path, const Camera& camera, const PrintOptions& options, const PatternOptions& pattern, const ShadeOptions& shade);
+Image paint_print(const SeenPrint& print, const PrintPath& path, const Camera& camera, const PrintOptions& options,
+                  const PatternOptions& pattern, const ShadeOptions& shade);
 
 /// What lies under a print: its build plate.
 Ground plate_under(const SeenPrint& print);

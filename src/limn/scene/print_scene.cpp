@@ -34,8 +34,10 @@ SeenPrint see_print(const PrintPath& path, const PrintOptions& options)
     const Bounds bounds = print_facts(path).bounds;
     const dvec3 centre = bounds.centre();
     const double scale = bounds.radius();
-    const auto in_frame = [&](const vec3& place, float height) { return vec3((dvec3(place) - dvec3(0, 0, 0.5 * double(height)) - centre) / scale); };
-    std::vector<Bead> beads;
+    const auto in_frame = [&](const vec3& place, float height) {
+        return vec3((dvec3(place) - dvec3(0, 0, 0.5 * double(height)) - centre) / scale);
+    };
+    std::vector<BeadShape> beads;
     std::vector<std::uint32_t> moves;
     vec3 from = path.start;
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
@@ -43,9 +45,10 @@ SeenPrint see_print(const PrintPath& path, const PrintOptions& options)
         const bool in_range = int(move.layer) + 1 >= options.first_layer && int(move.layer) + 1 <= options.last_layer;
         if (in_range && (move.extrudes() || options.travel)) {
             const float thin = travel_thickness;
-            const Bead bead = move.extrudes() ? Bead{in_frame(from, move.height), in_frame(move.to, move.height), float(double(move.width) / scale), float(double(move.height) / scale)}
+            const Bead bead = move.extrudes() ? Bead{in_frame(from, move.height), in_frame(move.to, move.height),
+                                                     float(double(move.width) / scale), float(double(move.height) / scale)}
                                               : Bead{in_frame(from, 0), in_frame(move.to, 0), thin, thin};
-            beads.push_back(bead);
+            beads.emplace_back(bead);
             moves.push_back(std::uint32_t(i));
         }
         from = move.to;

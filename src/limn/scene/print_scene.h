@@ -12,7 +12,7 @@ namespace limn {
 /// The beads of a print that are shown, ready to be seen from any side. Their frame is (mm - centre) / scale, in which all beads of the print are within
 /// about 1 of the origin.
 struct SeenPrint {
-    Bounds bounds;            ///< of all beads, mm
+    Bounds bounds; ///< of all beads, mm
     dvec3 centre = dvec3(0);
     double scale = 1;
     BeadScene scene;
