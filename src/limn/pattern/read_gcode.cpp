@@ -11,17 +11,16 @@
 #include "limn/pattern/bead_section.h"
 #include "limn/pattern/gcode_arc.h"
 #include "limn/pattern/gcode_comment.h"
+#include "limn/pattern/gcode_layers.h"
 #include "limn/pattern/gcode_words.h"
 
 namespace limn {
 namespace {
 
-constexpr double farthest = 1e6;                           ///< mm
-constexpr double same_height = 1e-4;                       ///< mm
-constexpr double thinnest_layer = 5e-3, usual_layer = 0.2; ///< mm
-constexpr double bytes_of_move = 24;                       ///< a line at least, to guess how many there are
-constexpr int most_turns = 100;                            ///< of one arc
-constexpr int most_tools = 64;                             ///< numbers above are firmware's own commands (BambuStudio's T1000)
+constexpr double farthest = 1e6;     ///< mm
+constexpr double bytes_of_move = 24; ///< a line at least, to guess how many there are
+constexpr int most_turns = 100;      ///< of one arc
+constexpr int most_tools = 64;       ///< numbers above are firmware's own commands (BambuStudio's T1000)
 
 enum Word { X, Y, Z, E, F, I, J, R, P, word_count };
 
@@ -61,7 +60,7 @@ int word_index(char letter)
 class Machine {
 public:
     Machine(std::string_view text, const std::string& name, const GcodeOptions& options)
-        : text_(text), name_(name), arc_error_(options.arc_error), marked_by_comments_(tells_of_layers(text))
+        : text_(text), name_(name), arc_error_(options.arc_error), layers_(tells_of_layers(text))
     {
         const double told = told_filament_diameter(text);
         has_settings_ = told > 0;
@@ -366,15 +365,15 @@ private:
         move.tool = tool_;
         if (filament > 0)
             make_bead(move, to.z, length, filament);
-        move.layer = std::uint32_t(std::max<std::size_t>(path_.layers.size(), 1) - 1);
+        move.layer = std::uint32_t(std::max<std::size_t>(layers_.size(), 1) - 1);
         path_.moves.push_back(move);
         at_ = to;
     }
 
     void make_bead(PrintMove& move, double z, double length, double filament)
     {
-        place_in_layer(std::max(at_.z, z), at_.z == z);
-        const double height = height_ > 0 ? height_ : double(path_.layers.back().height);
+        const PrintLayer& layer = layers_.place(at_.z, z, height_);
+        const double height = height_ > 0 ? height_ : double(layer.height);
         const double most = std::max(10 * height, 2.0);
         const double width = width_ > 0 ? width_ : std::clamp(bead_width(filament * thread_ / length, height), 1e-3, most);
         move.width = float(width);
@@ -383,66 +382,17 @@ private:
         path_.volume += filament * thread_;
     }
 
-    bool begins_layer(double z, bool level) const
-    {
-        if (path_.layers.empty())
-            return true;
-        if (marked_by_comments_)
-            return false;
-        const PrintLayer& layer = path_.layers.back();
-        const double rise = z - double(layer.z);
-        return level ? std::abs(rise) > same_height : rise > double(layer.height) - same_height; // spirals rise in beads
-    }
-
-    void place_in_layer(double z, bool level)
-    {
-        if (begins_layer(z, level))
-            path_.layers.emplace_back();
-        PrintLayer& layer = path_.layers.back();
-        if (layer.height > 0)
-            return;
-        const auto above = std::lower_bound(levels_.begin(), levels_.end(), z - same_height);
-        const double below = above == levels_.begin() ? 0 : *(above - 1);
-        double height = height_ > 0 ? height_ : z - below;
-        if (height < thinnest_layer) {
-            height = path_.layers.size() > 1 ? double(path_.layers[path_.layers.size() - 2].height) : usual_layer;
-            ++assumed_heights_;
-        }
-        layer = {float(z), float(height)};
-        if (above == levels_.end() || *above > z + same_height)
-            levels_.insert(above, z);
-    }
-
-    void begin_marked_layer(GcodeTold mark)
-    {
-        if (mark_ == GcodeTold::nothing) { // beads before the first mark count with its layer
-            mark_ = mark;
-            levels_.clear();
-            if (path_.layers.empty())
-                path_.layers.emplace_back();
-            path_.layers.back() = {};
-        }
-        if (mark != mark_)
-            return;
-        ++marks_;
-        if (path_.layers.back().height > 0)
-            path_.layers.emplace_back();
-    }
-
     void take_comment(const GcodeComment& comment)
     {
         const auto length = [&] { return comment.number > 0 && comment.number < 100 ? comment.number : 0; }; // 0: not told
         switch (comment.told) {
         case GcodeTold::nothing: break;
         case GcodeTold::layer_change:
-        case GcodeTold::layer_number: begin_marked_layer(comment.told); break;
+        case GcodeTold::layer_number: layers_.mark(comment.told); break;
         case GcodeTold::feature: feature_ = feature_from_slicer(comment.text); break;
         case GcodeTold::width: width_ = length(); break;
         case GcodeTold::height: height_ = length(); break;
-        case GcodeTold::layer_count:
-            told_layers_ = std::max(comment.number, 0.0);
-            marks_ = 0;
-            break;
+        case GcodeTold::layer_count: layers_.announce(comment.number); break;
         case GcodeTold::volumetric: volumetric_ = true; break;
         case GcodeTold::slicer: keep_first(path_.slicer, comment.text); break;
         case GcodeTold::time: keep_first(path_.stated_time, comment.text); break;
@@ -461,37 +411,22 @@ private:
     {
         if (in_settings_)
             fail("the file ends within the slicer's settings: it is cut short");
-        if (marks_ > 0 && double(marks_) < told_layers_)
-            fail(fmt::format("the file ends after {} of {:.0f} layers: it is cut short", marks_, told_layers_));
+        if (const auto missing = layers_.missing())
+            fail(fmt::format("the file ends after {} of {:.0f} layers: it is cut short", missing->found, missing->announced));
         if (path_.filament <= 0)
             fail_file("no move extrudes anything");
-        if (path_.layers.back().height <= 0)
-            close_last_layer();
-        for (std::size_t i = path_.moves.size(); i-- > 0 && path_.moves[i].layer >= path_.layers.size();)
-            path_.moves[i].layer = std::uint32_t(path_.layers.size() - 1);
+        path_.layers = layers_.finished(path_.moves);
         if (path_.slicer.starts_with("PrusaSlicer") && !has_settings_)
             path_.notes.emplace_back("ends without the settings that PrusaSlicer writes last, so it may be cut short");
-        if (assumed_heights_ > 0)
+        if (layers_.assumed() > 0)
             path_.notes.push_back(fmt::format("the height of {} unknown, taken as that of the layer before or {} mm",
-                                              assumed_heights_ == 1 ? "a layer is" : fmt::format("{} layers is", assumed_heights_),
-                                              usual_layer));
-    }
-
-    /// The last layer begins, but has no bead: it goes, or has what came before the first mark.
-    void close_last_layer()
-    {
-        if (path_.layers.size() > 1) {
-            path_.layers.pop_back();
-            return;
-        }
-        const auto bead = std::find_if(path_.moves.begin(), path_.moves.end(), [](const PrintMove& move) { return move.extrudes(); });
-        path_.layers.back() = {bead->to.z, bead->height};
+                                              layers_.assumed() == 1 ? "a layer is" : fmt::format("{} layers is", layers_.assumed()),
+                                              usual_layer_height));
     }
 
     const std::string_view text_;
     const std::string& name_;
     const double arc_error_;
-    const bool marked_by_comments_;
     PrintPath path_;
 
     // Modes and places, as the lines so far have set them.
@@ -506,13 +441,8 @@ private:
     // What comments tell.
     BeadFeature feature_ = BeadFeature::other;
     double width_ = 0, height_ = 0;
-    GcodeTold mark_ = GcodeTold::nothing; ///< the kind of comment that begins layers in this file
-    std::size_t marks_ = 0;
-    double told_layers_ = 0;
     bool in_settings_ = false, has_settings_ = false;
-
-    std::vector<double> levels_; ///< heights of layers, sorted
-    std::size_t assumed_heights_ = 0;
+    GcodeLayers layers_;
 };
 
 } // namespace
