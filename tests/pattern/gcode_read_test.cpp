@@ -204,6 +204,12 @@ TEST(ReadGcode, UnitsAndRelativePlacesMeanTheSamePath)
     }
 }
 
+TEST(ReadGcode, TimeIsThatOfAllWaysAndFilamentAtTheirSpeed)
+{
+    // 0.2 mm and 10 mm at 10 mm/s, 2 mm of filament back and forth at 20 mm/s.
+    EXPECT_NEAR(read("M83\nG1 Z.2 F600\nG1 X10 E1\nG1 E-2 F1200\nG1 E2\n").seconds, 0.02 + 1 + 0.1 + 0.1, 1e-9);
+}
+
 TEST(ReadGcode, PlacesThatAreSetMoveTheOriginOnly)
 {
     const PrintPath path = read("G1 X10 Y10 Z.2 F600\nG92 X0 Y0 E5\nG1 X10 E6\nG92 E0\nG1 Y10 E1\nG92.1\nG1 X20 Y25 E2\n");

@@ -5,7 +5,7 @@
 namespace limn {
 namespace {
 
-constexpr float travel_thickness = 2.5e-3f; ///< in the frame, whose print is 2 long
+constexpr float travel_thickness = 4e-3f; ///< in the frame, whose print is 2 long
 
 class BeadOcclusion : public Occlusion {
 public:
