@@ -13,6 +13,7 @@
 #include "limn/pattern/filament.h"
 #include "limn/raycast/occlusion.h"
 #include "limn/scene/ground_shadow.h"
+#include "limn/scene/pattern_light.h"
 
 namespace limn {
 namespace {
@@ -20,8 +21,6 @@ namespace {
 using namespace formulas;
 
 constexpr int most_sides = 12;           ///< that are seen through holes, one behind the other
-constexpr float light_radius = 0.22f;    ///< of the studio's, radians
-constexpr float light_strength = 2.6f, sky = 0.4f, floor_light = 0.14f;
 
 /// One pattern with all of its numbers, in a frame.
 struct Painted {
@@ -87,41 +86,6 @@ LayerStack stack_of(const SeenScene& scene, const PatternOptions& options, const
         throw Error::Input(fmt::format("--layer-height: a layer of {:.4g} mm is higher than the print, which is {:.4g} mm along its direction", layer, height));
     const LayerStack stack = options.layer_heights.empty() ? LayerStack(options.layer_height, 0, options.first_layer) : LayerStack(options.layer_heights, 0);
     return stack.scaled(1 / mm, double(low));
-}
-
-Finish print_finish(const PatternOptions& options)
-{
-    const Filament& filament = find_filament(options.filament);
-    const vec3 colour = options.colour.value_or(filament.colour);
-    if (options.reflection == PatternReflection::filament)
-        return finish_of(filament, colour);
-    const int model = options.reflection == PatternReflection::phong ? FINISH_PHONG : options.reflection == PatternReflection::blinn_phong ? FINISH_BLINN_PHONG : FINISH_MATTE;
-    return {model, linear_colour(colour), float(options.specular), float(options.exponent), 1, 1, 0};
-}
-
-/// The light of a picture in the frame of the scene.
-PatternLight light_of(const SeenScene& scene, const Camera& camera, const ShadeOptions& shade, const PatternPlace& place)
-{
-    PatternLight light;
-    const dvec3 towards = shade.to_light ? *shade.to_light : 0.55 * camera.above() - 0.7 * camera.right() - camera.forward();
-    light.lighting = {vec3(glm::normalize(towards)), vec3(light_strength), shade.to_light ? 0.05f : light_radius, vec3(place.up), vec3(sky), vec3(floor_light)};
-    std::optional<dvec3> lamp = shade.lamp;
-    if (shade.wide) {
-        if (const auto* ball = std::get_if<SphereLight>(&*shade.wide))
-            lamp = ball->centre;
-        else if (const auto* rectangle = std::get_if<RectangleLight>(&*shade.wide))
-            lamp = rectangle->centre;
-        else
-            throw Error::Input("environments light plain materials so far; give layers, bricks and thread another light");
-    }
-    if (lamp) {
-        light.place = vec3((*lamp - scene.centre) / scene.scale);
-        const double size = !shade.wide ? 0 : std::holds_alternative<SphereLight>(*shade.wide) ? std::get<SphereLight>(*shade.wide).radius : 0.5 * glm::length(std::get<RectangleLight>(*shade.wide).size);
-        light.lighting.radius = float(std::min(size / std::max(glm::length(*lamp - scene.centre), 1e-9), 1.0));
-        const float away = std::max(glm::length(*light.place), 0.1f); // as bright in the middle as a light far away
-        light.intensity = vec3(light_strength * away * away);
-    }
-    return light;
 }
 
 PatternLight turned(const PatternLight& light, const PatternFrame& frame)
@@ -193,16 +157,6 @@ Painted painted(const SeenScene& scene, const Camera& camera, const PatternOptio
     ThreadShader shader = thread_of(options);
     shader.light = turned(light, frame);
     return {shader, frame, PatternCamera(camera, scene.centre, scene.scale, frame)};
-}
-
-/// Light as a picture shows it: bright places near white without a hard edge. Linear still.
-vec3 shown(const vec3& linear)
-{
-    constexpr float knee = 0.8f;
-    vec3 c;
-    for (int k = 0; k < 3; ++k)
-        c[k] = linear[k] < knee ? linear[k] : 1 - (1 - knee) * std::exp(-(linear[k] - knee) / (1 - knee));
-    return c;
 }
 
 struct Painter {
@@ -377,7 +331,7 @@ std::optional<double> mm_per_unit(char units, std::string_view format)
 Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternOptions& options, const PatternPlace& place, const ShadeOptions& shade)
 {
     check(shade, scene.part_count());
-    const PatternLight light = light_of(scene, camera, shade, place);
+    const PatternLight light = pattern_light(scene.centre, scene.scale, camera, shade, place.up);
     std::vector<Painted> patterns;
     if (options.with_object)
         for (std::size_t part = 0; part < scene.part_count(); ++part)
