@@ -13,6 +13,7 @@
 #include "limn/geometry/diagnose.h"
 #include "limn/geometry/read_mesh.h"
 #include "limn/geometry/unpaired_edges.h"
+#include "limn/pattern/read_gcode.h"
 #include "limn/shadow/shape_hash.h"
 
 using namespace limn;
@@ -50,6 +51,8 @@ template <class Tell> Loaded load(const SceneObject& object, const ModelOptions&
 {
     const PrepareOptions& options = all.prepare;
     const std::string file = object.file.string(), name = file == "-" ? "standard input" : object.file.filename().string();
+    if (is_gcode_format(input_format(file, object.format)))
+        throw Error::Read(fmt::format("{}: is G-code and holds no mesh; 'limn render' draws it, alone", file));
     tell("reading " + name, 0.0);
     Stopwatch watch;
     ReadResult read = read_mesh_with_notes(object.file, {.format = object.format});

@@ -94,6 +94,7 @@ TEST_F(PrintCommand, WhatCannotBeDrawnIsOneLine)
     expect_error("render " + vase() + out + " --layers x", 2, "--layers: 'x' is not A..B");
     expect_error("render " + vase() + out + " --lines contour", 2, "--lines: G-code is drawn bead by bead; that option is for meshes");
     expect_error("render " + vase() + out + " --device gpu", 2, "--device gpu: beads are drawn on the CPU so far");
+    expect_error("draw " + vase() + " -o " + path("x.png"), 1, "vase.gcode: is G-code and holds no mesh; 'limn render' draws it, alone");
     expect_error("render " + torus() + out + " --color feature", 2, "--color is of G-code, and no file is");
 }
 

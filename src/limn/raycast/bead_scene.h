@@ -16,8 +16,9 @@ struct BeadHit {
     explicit operator bool() const { return bead != none; }
 };
 
-/// A bounding volume hierarchy (Embree) over beads, which rays meet exactly: no triangles stand for them. Beads may overlap, and a ray that begins inside
-/// of one does not meet that one. Safe to query from many threads. Takes about 130 bytes a bead, with its shape.
+/// A bounding volume hierarchy (Embree) over beads, which rays meet exactly: no triangles stand for them. (Half a million beads take 0.1 GB so. Beside tubes
+/// of 8 sides in triangles, without joints, that is a quarter of the memory; building takes a fifth of the time, and rays two thirds.) Beads may
+/// overlap, and a ray that begins inside of one does not meet that one. Safe to query from many threads.
 class BeadScene {
 public:
     /// @throws Error::Device when Embree cannot build the scene
