@@ -119,3 +119,6 @@ upright print-layers knot 480x400 --material layers --layer-height 0.8mm
 upright print-cusps knot 480x400 --material layers --layer-height 0.8mm --show cusp
 upright bricks cube 480x400 --material bricks --ground
 upright thread sphere 480x400 --material thread --ground
+build/limn sample vase --quiet -o "$models/vase.gcode"
+build/limn render "$models/vase.gcode" --quiet --size 480x400 --view 20,25 --filament silk-copper -o docs/images/print-vase.png
+build/limn render "$models/vase.gcode" --quiet --size 480x400 --color feature --layers ..80 --view 20,40 -o docs/images/print-feature.png

@@ -7,6 +7,7 @@
 #include "bench_agreement.h"
 #include "bench_lines.h"
 #include "bench_pattern.h"
+#include "bench_print.h"
 #include "bench_render.h"
 #include "bench_shadow.h"
 #include "bench_silhouette.h"
@@ -35,9 +36,11 @@ constexpr const char* examples = R"(Examples:
   limn bench silhouette --models creature,torus       outlines of control meshes, and what they take
   limn bench terrain --models alps.tif --bounds 5,20  triangles within a bound, beside others
   limn bench pattern                                  analytic filters beside samples
-  limn bench shadow --models blob --sizes 256,1024    sizes, errors and times of shadow maps)";
+  limn bench print                                    reading and drawing G-code
+  limn bench shadow --models blob --sizes 256,1024    sizes, errors and times of shadow maps
+  limn bench shadow --figures shadow-figures          and the figures of the study)";
 
-constexpr Benchmark benchmarks[] = {{"lines", bench_lines}, {"render", bench_render}, {"agreement", bench_agreement}, {"subdivision", bench_subdivision}, {"silhouette", bench_silhouette}, {"terrain", bench_terrain}, {"pattern", bench_pattern}, {"shadow", bench_shadow}};
+constexpr Benchmark benchmarks[] = {{"lines", bench_lines}, {"render", bench_render}, {"agreement", bench_agreement}, {"subdivision", bench_subdivision}, {"silhouette", bench_silhouette}, {"terrain", bench_terrain}, {"pattern", bench_pattern}, {"print", bench_print}, {"shadow", bench_shadow}};
 
 const std::vector<std::string> formats = {"md", "json"};
 
@@ -120,12 +123,13 @@ Subcommand add_bench(CLI::App& limn)
     app->footer(examples);
     BenchRequest& request = command->request;
     app->add_option("WHAT", command->what, names())->required();
-    app->add_option("--sizes", command->sizes, "numbers of triangles (lines: default 20k,100k,500k,1M,2M; render: those of the study; agreement: 100k; subdivision: of control meshes, default 500,2k,8k,32k; silhouette: likewise, 100,300,1k,3k,10k; terrain: samples along a side of square maps, default 1025,2049,4097; shadow: maps, default 256,1024,4096)")->delimiter(',')->type_name("N,N,...");
+    app->add_option("--sizes", command->sizes, "numbers of triangles (lines: default 20k,100k,500k,1M,2M; render: those of the study; agreement: 100k; subdivision: of control meshes, default 500,2k,8k,32k; silhouette: likewise, 100,300,1k,3k,10k; terrain: samples along a side of square maps, default 1025,2049,4097; print: moves, default 50k,500k; shadow: maps, default 256,1024,4096)")->delimiter(',')->type_name("N,N,...");
     app->add_option("--models", request.models, "shapes of 'limn sample', for agreement files too (lines: default torus,blob; render: blob; agreement: torus,bumpy-torus,rings,knot,blob; subdivision: blob; silhouette, outlines: all control meshes, octahedron,torus; terrain: landforms or height maps, default mountains,reference; shadow: shapes or files)")->delimiter(',')->type_name("NAME,...");
     app->add_option("--views", request.views, "views to take medians over (lines: default 21; render: 12 about each axis; agreement: 8; silhouette: 20; terrain: frames of a flight, 300)")->check(CLI::Range(1, 10000))->type_name("N");
     app->add_option("--bounds", request.bounds, "terrain: how far samples may be from meshes, metres (default 64,16,4)")->delimiter(',')->check(CLI::Range(0.0, 1e9))->type_name("M,M,...");
     app->add_option("--edges", request.edges, "sizes of square pictures, pixels (render: default 512,1024,2048,4096; agreement: 512; silhouette, distance transforms: 256,512,1024,2048; pattern: 64; shadow: of maps, 32,64,128)")->delimiter(',')->check(CLI::Range(16, 16384))->type_name("N,N,...");
     app->add_option("--runs", request.runs, "runs (default 7; render: of whole processes, 0: none; subdivision: at least so many, in three rounds)")->check(CLI::Range(0, 1000))->type_name("N");
+    app->add_option("--figures", request.figures, "shadow: also writes the figures of the study there, as PNG")->type_name("FOLDER");
     app->add_flag("--full", request.full, "render: turn for 10 seconds about each axis, ten times, as the study did; shadow: up to 65,536 maps of 256 x 256");
     add_common_options(*app, command->common,
                        "file to write: md, whose section is replaced, or json; may be given several times (default: standard output)");

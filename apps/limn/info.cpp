@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "limn/base/parallel.h"
 #include "limn/geometry/diagnose.h"
 #include "limn/geometry/read_mesh.h"
+#include "print_info.h"
 #include "pyramid_info.h"
 #include "raster_info.h"
 #include "subcommand.h"
@@ -25,6 +27,7 @@ constexpr const char* examples = R"(Examples:
   limn info part.stl -o part.txt -o part.json
   limn info terrain.tif
   limn info country.pyramid
+  limn info print.gcode
   cat bunny.ply | limn info - --from ply)";
 
 const std::vector<std::string> formats = {"txt", "json"};
@@ -115,6 +118,21 @@ void tell_of_pyramid(const InfoCommand& command, const std::vector<Output>& outp
                                counted(pyramid.layout().tile_count(), "tile"), seconds_text(watch.total())));
 }
 
+void tell_of_print(const InfoCommand& command, const std::vector<Output>& outputs, Console& console)
+{
+    const Stopwatch watch;
+    console.progress("reading", 0);
+    const PrintPath path = read_gcode(command.file);
+    const double seconds = watch.total();
+    if (command.common.strict && !path.notes.empty())
+        throw Error::Read(fmt::format("{}: {} (--strict)", command.file, join(path.notes, ", ")));
+    tell(command, outputs, print_text(path), print_json(path, command.file, seconds));
+    if (!path.notes.empty())
+        console.warn(fmt::format("{}: {}", command.file, join(path.notes, ", ")));
+    console.finish(fmt::format("read {}{}: {} in {} ({:.0f} thousand a second)", command.file, end_of_line(command, outputs), counted(path.lines, "line"), seconds_text(seconds),
+                               double(path.lines) / std::max(seconds, 1e-6) / 1000));
+}
+
 void run(const InfoCommand& command)
 {
     if (command.file.empty())
@@ -124,6 +142,8 @@ void run(const InfoCommand& command)
     Console console(command.common.quiet);
     if (command.from == "pyramid" || (command.from.empty() && command.file != "-" && is_pyramid_file(command.file)))
         tell_of_pyramid(command, outputs, console);
+    else if (is_gcode(command.file, command.from))
+        tell_of_print(command, outputs, console);
     else if (is_raster(command.file, command.from))
         tell_of_raster(command, outputs, console);
     else
@@ -136,10 +156,10 @@ Subcommand add_info(CLI::App& limn)
 {
     auto command = std::make_shared<InfoCommand>();
     CLI::App* app =
-        limn.add_subcommand("info", "Say what a file holds: a mesh, and what is wrong with it, a raster of heights, or a pyramid");
+        limn.add_subcommand("info", "Say what a file holds: a mesh, and what is wrong with it, G-code, a raster of heights, or a pyramid");
     app->footer(examples);
     app->add_option("FILE", command->file,
-                    "mesh or raster of heights in any format, or pyramid of 'limn terrain build'; '-' is standard input");
+                    "mesh or raster of heights in any format, G-code, or pyramid of 'limn terrain build'; '-' is standard input");
     app->add_option("--from", command->from, "format of the file, whatever its name ends in")->type_name("FORMAT");
     for (const OptionRow<ReadHeightMapOptions>& row : read_height_map_option_table())
         if (row.name != "fill")

@@ -88,13 +88,6 @@ Drawing draw_sheet(const Stage& stage, const Sheet& sheet, Progress& progress, C
     return lay_on_sheet(std::move(pictures), sheet.corners, sheet.size, stage.command.view.views);
 }
 
-/// "turn-007.svg".
-std::string numbered(const std::string& path, int number)
-{
-    const std::filesystem::path file(path);
-    return (file.parent_path() / fmt::format("{}-{:03}{}", file.stem().string(), number, file.extension().string())).string();
-}
-
 std::size_t stroke_count(const std::vector<DrawnView>& views)
 {
     std::size_t count = 0;
@@ -126,23 +119,6 @@ Warnings warnings_of(const Models& models, const std::vector<DrawnView>& views)
     return warnings;
 }
 
-/// Several pictures in files of their own.
-bool sheets_are_numbered(const PictureCommand& command) { return command.turntable > 0 || !command.cameras.empty(); }
-
-void check_numbered(const PictureCommand& command, const std::vector<Output>& outputs)
-{
-    if (!sheets_are_numbered(command))
-        return;
-    const std::string option = command.turntable > 0 ? "--turntable" : "--cameras";
-    if (command.turntable > 0 && !command.cameras.empty())
-        throw Error::Input("--turntable and --cameras both say where the cameras stand; give one");
-    if (command.turntable > 0 && command.view.views.size() > 1)
-        throw Error::Input("--turntable turns one view; give --view once");
-    for (const Output& output : outputs)
-        if (output.path == "-")
-            throw Error::Input(option + " writes numbered files; -o - cannot hold them");
-}
-
 /// One picture for each camera of a list.
 std::vector<Sheet> listed_cameras(const std::string& file)
 {
@@ -154,18 +130,6 @@ std::vector<Sheet> listed_cameras(const std::string& file)
         sheet.size = camera.size;
     }
     return sheets;
-}
-
-/// The pictures of a run: the frames of a turntable, or one sheet.
-std::vector<Sheet> all_sheets(const PictureCommand& command, const Models& models)
-{
-    const char up_axis = up_axis_of(command.view, models.inputs.front().format);
-    const Subject subject = {models.lines, models.bounds()};
-    if (!command.cameras.empty())
-        return listed_cameras(command.cameras);
-    if (command.turntable > 0)
-        return turntable(command.view, subject, up_axis, command.turntable);
-    return {place_cameras(command.view, subject, up_axis)};
 }
 
 std::vector<Camera> cameras_of(const std::vector<Sheet>& sheets)
@@ -210,6 +174,37 @@ std::vector<std::string> draw_all(const Stage& stage, const std::vector<Sheet>& 
 
 } // namespace
 
+std::string numbered(const std::string& path, int number)
+{
+    const std::filesystem::path file(path);
+    return (file.parent_path() / fmt::format("{}-{:03}{}", file.stem().string(), number, file.extension().string())).string();
+}
+
+bool sheets_are_numbered(const PictureCommand& command) { return command.turntable > 0 || !command.cameras.empty(); }
+
+void check_numbered(const PictureCommand& command, const std::vector<Output>& outputs)
+{
+    if (!sheets_are_numbered(command))
+        return;
+    const std::string option = command.turntable > 0 ? "--turntable" : "--cameras";
+    if (command.turntable > 0 && !command.cameras.empty())
+        throw Error::Input("--turntable and --cameras both say where the cameras stand; give one");
+    if (command.turntable > 0 && command.view.views.size() > 1)
+        throw Error::Input("--turntable turns one view; give --view once");
+    for (const Output& output : outputs)
+        if (output.path == "-")
+            throw Error::Input(option + " writes numbered files; -o - cannot hold them");
+}
+
+std::vector<Sheet> all_sheets(const PictureCommand& command, const Subject& subject, char up_axis)
+{
+    if (!command.cameras.empty())
+        return listed_cameras(command.cameras);
+    if (command.turntable > 0)
+        return turntable(command.view, subject, up_axis, command.turntable);
+    return {place_cameras(command.view, subject, up_axis)};
+}
+
 void add_picture_options(CLI::App& app, PictureCommand& command, const std::string& output_help)
 {
     app.add_option("MODEL", command.files, "files to show together, in any mesh format, or one scene (.json); '-' is standard input");
@@ -251,7 +246,7 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     Models models = prepare_models(command.model, console, 0.8 * preparing(command));
     if (hooks.prepared)
         hooks.prepared(models);
-    const std::vector<Sheet> sheets = all_sheets(command, models);
+    const std::vector<Sheet> sheets = all_sheets(command, {models.lines, models.bounds()}, up_axis_of(command.view, models.inputs.front().format));
     if (!models.loops.empty() && !command.lines.lines.empty())
         refine_for(models, cameras_of(sheets), command.model);
     Progress progress;

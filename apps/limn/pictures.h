@@ -50,3 +50,12 @@ void add_picture_options(CLI::App& app, PictureCommand& command, const std::stri
 
 /// Reads the models that the command's objects name, draws the lines of every view, and writes every picture.
 void make_pictures(PictureCommand& command, const PictureHooks& hooks);
+
+/// The pictures of a run: the frames of a turntable, one for each camera of a list, or one sheet. @throws limn::Error as place_cameras
+std::vector<Sheet> all_sheets(const PictureCommand& command, const Subject& subject, char up_axis);
+/// Whether they go to files of their own, FILE-000, FILE-001, ...
+bool sheets_are_numbered(const PictureCommand& command);
+/// @throws limn::Error::Input where that cannot be
+void check_numbered(const PictureCommand& command, const std::vector<Output>& outputs);
+/// "turn-007.svg".
+std::string numbered(const std::string& path, int number);

@@ -19,7 +19,9 @@
 #include "limn/scene/pixel_painter.h"
 #include "limn/scene/render_options.h"
 #include "pictures.h"
+#include "print_info.h"
 #include "render_pattern.h"
+#include "render_print.h"
 #include "scene_file.h"
 #include "subcommand.h"
 #include "table_options.h"
@@ -39,6 +41,7 @@ constexpr const char* examples = R"(Examples:
   limn render part.stl -o open.png --ao
   limn render part.stl -o print.png --material layers --layer-height 0.2mm --filament petg-black
   limn render part.stl -o cusps.png --material layers --show cusp --print-direction x
+  limn render print.gcode -o print.png --color feature --layers 1..50
   limn render creature.obj -o creature.png --subdivision loop
   limn render creature.obj -o how.png --subdivision loop --overlay DE
   limn render bunny.ply -o data.exr --pass kr,depth,normal,id --cameras cameras.json)";
@@ -53,6 +56,7 @@ struct RenderCommand {
     std::string overlay; ///< letters of draw_overlay
     std::vector<std::string> shadow_maps; ///< files
     PatternCommand pattern;
+    PrintOptions print; ///< of G-code
 };
 
 /// What hides light beside rays.
@@ -188,6 +192,13 @@ void say_on_standard_error(const std::string& line) { fmt::print(stderr, "limn: 
 
 void run(const CLI::App& app, RenderCommand& command)
 {
+    if (is_print(command.pictures)) {
+        render_print(app, command.pictures, command.render, command.pattern.options, command.print, [&](const Drawing& drawing, const Output& output) {
+            write_image(drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, command.pictures.style), output, command.render.bits);
+        });
+        return;
+    }
+    refuse_print_options(app);
     take_scene(app, command);
     PictureCommand& pictures = command.pictures;
     if (!pictures.style.page.empty())
@@ -243,10 +254,11 @@ Subcommand add_render(CLI::App& limn)
     command->pictures.shades_cut_meshes = true;
     command->pictures.formats = {"png", "exr"};
     command->pictures.lines.lines.clear();
-    CLI::App* app = limn.add_subcommand("render", "Render shaded pictures of models, with or without lines, and their ingredient images");
+    CLI::App* app = limn.add_subcommand("render", "Render shaded pictures of models and of G-code, with or without lines, and their ingredient images");
     app->footer(examples);
     add_table_options(*app, render_option_table(), command->render, "Shading");
     add_pattern_options(*app, command->pattern);
+    add_print_options(*app, command->print);
     add_table_options(*app, image_line_option_table(), command->image_lines, "Lines per pixel");
     add_table_options(*app, shader_line_option_table(), command->shader_lines, "Lines per pixel");
     app->add_option("--pass", command->passes, "also write ndotv,kr,dwkr,k1,k2,depth,normal,position,id,lines (or all) to FILE-PASS, and their scales to FILE-passes.json")

@@ -11,6 +11,7 @@
 #include "limn/base/parallel.h"
 #include "limn/geometry/diagnose.h"
 #include "limn/geometry/write_mesh.h"
+#include "limn/pattern/vase_gcode.h"
 #include "limn/subdivision/control_samples.h"
 #include "limn/surface/model_samples.h"
 #include "limn/surface/shapes.h"
@@ -24,8 +25,8 @@ using namespace limn;
 
 namespace {
 
-const std::vector<std::string> formats = {"ply", "obj", "stl", "glb"}, terrain_formats = {"tif", "tiff"};
-constexpr const char* terrain_name = "terrain";
+const std::vector<std::string> formats = {"ply", "obj", "stl", "glb"}, terrain_formats = {"tif", "tiff"}, vase_formats = {"gcode"};
+constexpr const char *terrain_name = "terrain", *vase_name = "vase";
 
 constexpr const char* examples = R"(Examples:
   limn sample torus -o torus.ply
@@ -33,6 +34,7 @@ constexpr const char* examples = R"(Examples:
   limn sample creature -o creature.obj
   limn sample blob --jitter 0.2 --noise 0.001 --seed 7 -o scan.stl
   limn sample tree --seed 3 -o tree.ply
+  limn sample vase --moves 500000 --slicer cura -o vase.gcode
   limn sample terrain --size 1025x513 --seed 3 -o terrain.tif
   limn sample knot -o - --to ply | limn draw - -o knot.svg)";
 
@@ -40,6 +42,7 @@ struct SampleCommand {
     CommonOptions common;
     ShapeOptions shape;
     TerrainSampleOptions terrain;
+    VaseOptions vase;
 };
 
 bool is_among(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
@@ -49,7 +52,7 @@ std::vector<std::string> every_name()
     std::vector<std::string> names = shape_names();
     names.insert(names.end(), control_sample_names().begin(), control_sample_names().end());
     names.insert(names.end(), model_sample_names().begin(), model_sample_names().end());
-    names.push_back(terrain_name);
+    names.insert(names.end(), {terrain_name, vase_name});
     return names;
 }
 
@@ -146,6 +149,7 @@ void run_terrain(const CLI::App& app, SampleCommand& command)
     const Stopwatch watch;
     const std::vector<Output> outputs = some_outputs(command.common, terrain_formats);
     refuse_options(app, shape_option_table(), {"seed"}, "a terrain has no triangles to change");
+    refuse_options(app, vase_option_table(), {}, "a terrain is no print");
     command.terrain.seed = command.shape.seed;
     Console console(command.common.quiet);
     for (std::size_t i = 0; i < outputs.size(); ++i)
@@ -158,11 +162,33 @@ void run_terrain(const CLI::App& app, SampleCommand& command)
                                seconds_text(watch.total())));
 }
 
+/// A print as G-code.
+void run_vase(const CLI::App& app, const SampleCommand& command)
+{
+    const Stopwatch watch;
+    const std::vector<Output> outputs = some_outputs(command.common, vase_formats);
+    refuse_options(app, shape_option_table(), {}, "the vase is G-code, whose --moves and --layer-height can be chosen");
+    refuse_options(app, terrain_sample_option_table(), {}, "the vase is no terrain");
+    Console console(command.common.quiet);
+    console.progress("making the vase", 0);
+    const std::string text = vase_gcode(command.vase);
+    for (const Output& output : outputs)
+        write_file(output.path, text);
+    const std::size_t lines = std::size_t(std::count(text.begin(), text.end(), '\n'));
+    if (command.common.json) {
+        const nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", "sample"}, {"print", vase_name}, {"lines", lines}, {"outputs", command.common.outputs},
+                                             {"seconds", {{"total", watch.total()}}}};
+        write_file("-", json.dump(2) + "\n");
+    }
+    console.finish(fmt::format("{}: {}, {}", what_was_written(command.common.outputs), counted(lines, "line"), seconds_text(watch.total())));
+}
+
 void run_shape(const CLI::App& app, SampleCommand& command)
 {
     const Stopwatch watch;
     const std::vector<Output> outputs = some_outputs(command.common, formats);
     refuse_options(app, terrain_sample_option_table(), {}, fmt::format("'{}' is no terrain", command.shape.name));
+    refuse_options(app, vase_option_table(), {}, fmt::format("'{}' is no print; a vase is", command.shape.name));
     Console console(command.common.quiet);
     console.progress("making the shape", 0);
     const Shape shape = make_named_shape(app, command.shape);
@@ -188,6 +214,8 @@ void run(const CLI::App& app, SampleCommand& command)
     check_name(command.shape.name);
     if (command.shape.name == terrain_name)
         run_terrain(app, command);
+    else if (command.shape.name == vase_name)
+        run_vase(app, command);
     else
         run_shape(app, command);
 }
@@ -198,12 +226,13 @@ Subcommand add_sample(CLI::App& limn)
 {
     auto command = std::make_shared<SampleCommand>();
     command->shape.name.clear();
-    CLI::App* app = limn.add_subcommand("sample", "Write a generated model or terrain");
+    CLI::App* app = limn.add_subcommand("sample", "Write a generated model, terrain or print");
     app->footer(examples);
     app->add_option("NAME", command->shape.name, join(every_name(), ", "));
     add_table_options(*app, shape_option_table(), command->shape, "Shape");
     add_table_options(*app, terrain_sample_option_table(), command->terrain, "Terrain");
+    add_table_options(*app, vase_option_table(), command->vase, "Print (vase)");
     add_common_options(*app, command->common,
-                       "file to write; may be given several times: ply, obj, stl, glb, of terrain tif; '-' is standard output");
+                       "file to write; may be given several times: ply, obj, stl, glb, of terrain tif, of the vase gcode; '-' is standard output");
     return {app, [app, command] { with_threads(command->common.threads, [&] { run(*app, *command); }); }};
 }

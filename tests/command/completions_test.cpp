@@ -91,6 +91,7 @@ TEST(Completions, OfBashComplete)
     EXPECT_EQ(complete("limn draw mod", 2), "model.ply\n");
     EXPECT_EQ(complete("limn draw --cache mod", 3), "model.ply\n");
     EXPECT_EQ(complete("limn sample bumpy", 2), "bumpy-torus\n");
+    EXPECT_EQ(complete("limn sample va", 2), "vase\n");
     EXPECT_EQ(complete("limn draw --fade ''", 3), "\n");
 }
 

@@ -15,6 +15,9 @@
 
 namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
+using glm::cos; // and mean these, whatever else of the name there is in limn
+using glm::exp;
+using glm::sin;
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/brdf.glsl"
 #include "limn/formulas/bricks.glsl"

@@ -48,12 +48,16 @@ std::vector<float> smoothed(const std::vector<float>& values)
 } // namespace
 
 GroundShadow::GroundShadow(const SeenScene& scene, const GroundPlane& plane, const vec3& to_light)
-    : values_(side * side)
+    : GroundShadow([&](const Ray& ray) { return scene.rays->occluded(ray); }, plane, to_light)
+{
+}
+
+GroundShadow::GroundShadow(const std::function<bool(const Ray&)>& occluded, const GroundPlane& plane, const vec3& to_light) : values_(side * side)
 {
     const vec3 up = plane.up(), right = glm::normalize(glm::cross(std::abs(up.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), up)), ahead = glm::cross(up, right);
     grid_ = {plane.middle(), right, ahead, 2.6f * plane.radius(), side};
     const vec3 aside = glm::normalize(glm::cross(std::abs(to_light.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to_light)), above = glm::cross(to_light, aside);
-    const auto is_hidden = [&](const vec3& from, const vec3& direction) { return scene.rays->occluded({from, direction, 0}, [](const Hit&) { return true; }); };
+    const auto is_hidden = [&](const vec3& from, const vec3& direction) { return occluded({from, direction, 0}); };
     const std::vector<vec2> spread = even_samples(rays / 2, 1, 1, vec2(0.5f)); // in a unit square around 0
     parallel_each(side * side, side, [&](std::size_t i) {
         const vec2 at = (vec2(float(i % side), float(i / side)) / float(side - 1) - 0.5f) * 2.0f * grid_.reach;

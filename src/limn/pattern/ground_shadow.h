@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "limn/formulas/formulas.h"
@@ -12,6 +13,8 @@ class GroundShadow {
 public:
     /// @param to_light  unit. Multi-threaded; the same for any number of threads.
     GroundShadow(const SeenScene& scene, const GroundPlane& plane, const vec3& to_light);
+    /// @param is_hidden  whether a ray in the plane's frame meets anything; called from many threads
+    GroundShadow(const std::function<bool(const Ray&)>& is_hidden, const GroundPlane& plane, const vec3& to_light);
     /// In [0,1], at a place of the ground.
     float light(const vec3& place) const;
 

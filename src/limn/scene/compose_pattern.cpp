@@ -11,14 +11,13 @@
 #include "limn/pattern/filament.h"
 #include "limn/pattern/pixel_samples.h"
 #include "limn/raycast/environment.h"
+#include "limn/scene/pattern_light.h"
 
 namespace limn {
 namespace {
 
 using namespace formulas;
 
-constexpr float light_radius = 0.22f; ///< of the studio's, radians
-constexpr float light_strength = 2.6f, sky = 0.4f, floor_light = 0.14f;
 constexpr float environment_strength = 3.4f; ///< irradiance on the side that gets most
 
 dmat3 turn_of(const PatternOptions& options)
@@ -57,18 +56,6 @@ std::pair<vec3, vec3> box_of(const SeenScene& scene, std::optional<std::size_t> 
     return {low, high};
 }
 
-Finish print_finish(const PatternOptions& options)
-{
-    const Filament& filament = find_filament(options.filament);
-    const vec3 colour = options.colour.value_or(filament.colour);
-    switch (options.reflection) {
-    case PatternReflection::phong: return {FINISH_PHONG, linear_colour(colour), float(options.specular), float(options.exponent), 1, 1, 0};
-    case PatternReflection::blinn_phong: return {FINISH_BLINN_PHONG, linear_colour(colour), float(options.specular), float(options.exponent), 1, 1, 0};
-    case PatternReflection::matte: return {FINISH_MATTE, linear_colour(colour), 0, 1, 1, 1, 0};
-    default: return finish_of(filament, colour);
-    }
-}
-
 /// A light without what surrounds it.
 PatternLight lone_light(const vec3& to_light, const vec3& strength, float radius, const vec3& up)
 {
@@ -91,26 +78,6 @@ std::vector<PatternLight> environment_lights(const EnvironmentMap& map, const dv
         lights.push_back(lone_light(glm::normalize(to_world * drawn.direction), strength, std::min(1.0f, std::sqrt(angle / std::numbers::pi_v<float>)), vec3(up)));
     }
     return lights;
-}
-
-/// Place of a lamp, and of a wide light its middle.
-std::optional<dvec3> lamp_of(const ShadeOptions& shade)
-{
-    if (!shade.wide)
-        return shade.lamp;
-    if (const auto* ball = std::get_if<SphereLight>(&*shade.wide))
-        return ball->centre;
-    return std::get<RectangleLight>(*shade.wide).centre;
-}
-
-/// From its middle.
-double size_of_lamp(const ShadeOptions& shade)
-{
-    if (!shade.wide)
-        return 0;
-    if (const auto* ball = std::get_if<SphereLight>(&*shade.wide))
-        return ball->radius;
-    return 0.5 * glm::length(std::get<RectangleLight>(*shade.wide).size);
 }
 
 PatternLight turned(const PatternLight& light, const PatternFrame& frame)
@@ -256,16 +223,7 @@ std::vector<PatternLight> pattern_lights(const SeenScene& scene, const Camera& c
 {
     if (shade.wide && std::holds_alternative<EnvironmentLight>(*shade.wide))
         return environment_lights(*std::get<EnvironmentLight>(*shade.wide).map, place.up, shade.light_samples);
-    PatternLight light;
-    const dvec3 towards = shade.to_light ? *shade.to_light : 0.55 * camera.above() - 0.7 * camera.right() - camera.forward();
-    light.lighting = {vec3(glm::normalize(towards)), vec3(light_strength), shade.to_light ? 0.05f : light_radius, vec3(place.up), vec3(sky), vec3(floor_light)};
-    if (const std::optional<dvec3> lamp = lamp_of(shade)) {
-        light.place = vec3((*lamp - scene.centre) / scene.scale);
-        light.lighting.radius = float(std::min(size_of_lamp(shade) / std::max(glm::length(*lamp - scene.centre), 1e-9), 1.0));
-        const float away = std::max(glm::length(*light.place), 0.1f); // as bright in the middle as a light far away
-        light.intensity = vec3(light_strength * away * away);
-    }
-    return {light};
+    return {pattern_light(scene.centre, scene.scale, camera, shade, place.up)};
 }
 
 PatternPaint compose_pattern(const SeenScene& scene, const PatternOptions& options, const PatternPlace& place, const ShadeOptions& shade, const std::vector<PatternLight>& lights)

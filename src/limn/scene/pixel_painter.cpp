@@ -104,21 +104,7 @@ struct PixelPainter::OnGpu {
     }
 };
 
-PixelPainter::PixelPainter(const std::string& device, Say say) : say_(std::move(say))
-{
-    may_fall_back_ = device == "auto";
-    if (device == "cpu" || (device == "auto" && !gpu::hardware_is_present()))
-        return;
-    try {
-        context_.emplace();
-        if (device == "auto" && context_->info().software)
-            context_.reset(); // the processor is faster without its detour
-    } catch (const Error::Device& error) {
-        if (!may_fall_back_)
-            throw;
-        say_(std::string(error.what()) + "; the processor is used");
-    }
-}
+PixelPainter::PixelPainter(const std::string& device, Say say) : say_(std::move(say)), may_fall_back_(device == "auto"), context_(gpu::wanted_context(device, say_)) {}
 
 PixelPainter::~PixelPainter() = default;
 
