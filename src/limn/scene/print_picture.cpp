@@ -5,10 +5,10 @@
 
 #include "limn/base/parallel.h"
 #include "limn/pattern/filament.h"
+#include "limn/pattern/ground_shadow.h"
 #include "limn/pattern/pixel_samples.h"
 #include "limn/scene/bead_shader.h"
 #include "limn/scene/depth_plane.h"
-#include "limn/pattern/ground_shadow.h"
 #include "limn/scene/pattern_light.h"
 
 namespace limn {
