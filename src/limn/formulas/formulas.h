@@ -29,6 +29,8 @@ using glm::sin;
 #include "limn/formulas/lcg.glsl"
 #include "limn/formulas/map_rank.glsl"
 #include "limn/formulas/normal_map.glsl"
+#include "limn/formulas/pattern_eye.glsl"
+#include "limn/formulas/pattern_picture.glsl"
 #include "limn/formulas/pattern_point.glsl"
 #include "limn/formulas/periodic_blur.glsl"
 #include "limn/formulas/print_layers.glsl"
