@@ -88,9 +88,10 @@ constexpr std::size_t many_triangles = 820000;
 /// The bunny, where it is.
 const std::string& main_model(const ShadowBench& bench) { return bench.models[std::min<std::size_t>(1, bench.models.size() - 1)]; }
 
-/// How look-ups and rays take to many maps, and to many triangles.
-void add_large_look_ups(const ShadowBench& bench, Tables& tables)
+/// Many maps and many triangles, of which the models have one each.
+void add_large(const ShadowBench& bench, Tables& tables)
 {
+    add_sizes(shadow_subject(main_model(bench)), {many_maps}, bench.finest(), tables.sizes);
     add_look_ups(shadow_subject(main_model(bench)), {many_maps}, bench.finest(), tables.look_ups);
     add_look_ups(shadow_subject("knot", many_triangles), {bench.maps.back()}, bench.finest(), tables.look_ups);
 }
@@ -129,7 +130,7 @@ BenchResult bench_shadow(const BenchRequest& request, Console& console)
     }
     add_pictures(shadow_subject(main_model(bench)), bench.maps.back(), bench.finest(), request.full ? std::vector<int>{1, 16, 64, 256} : std::vector<int>{1, 16, 64}, tables.pictures);
     if (request.models.empty() && request.sizes.empty())
-        add_large_look_ups(bench, tables);
+        add_large(bench, tables);
     if (!request.figures.empty())
         write_shadow_figures(request.figures, bench.maps, bench.resolutions, console);
     const nlohmann::ordered_json json = {{"limn", LIMN_VERSION},
