@@ -176,26 +176,13 @@ struct Painter {
 
     const Painted& pattern_of(const Fragment& fragment) const { return patterns.size() == 1 ? patterns[0] : patterns[scene.part_of(fragment.object, fragment.triangle)]; }
 
-    /// How much of the light nothing hides, by `count` of its places; each pixel turns them its own way.
-    float light_share(const PatternSpot& spot, const vec2& pixel, std::size_t count) const
+    /// How much of the light nothing hides, by `count` of its places.
+    float unhidden(const PatternSpot& spot, const vec2& pixel, std::size_t count) const
     {
         if (!shade.occlusion)
             return 1;
         constexpr float off_surface = 1e-3f; // in the frame of the scene, whose objects are about 1 in radius
-        const vec3 from = spot.position + off_surface * spot.face_normal;
-        const vec3 to = light.place ? glm::normalize(*light.place - from) : light.lighting.to_light;
-        const vec3 aside = glm::normalize(glm::cross(std::abs(to.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to)), above = glm::cross(to, aside);
-        const float own = number_of(int(pixel.x) + 8191 * int(pixel.y));
-        std::vector<LightPlace> wanted(count);
-        std::vector<std::uint8_t> lit(count);
-        for (std::size_t k = 0; k < count; ++k) {
-            const float radius = light.lighting.radius * std::sqrt(places[k].x + 0.5f), turn = 6.2831853f * (places[k].y + own);
-            const vec3 off = radius * (std::cos(turn) * aside + std::sin(turn) * above);
-            const float away = light.place ? glm::length(*light.place - from) : 1;
-            wanted[k] = {light.place ? vec4(*light.place + away * off, 1) : vec4(to + off, 0), vec2(glm::fract(places[k] + own))};
-        }
-        shade.occlusion->look(from, wanted, lit.data());
-        return float(std::count(lit.begin(), lit.end(), 1)) / float(count);
+        return light_share(*shade.occlusion, light, {places.data(), count}, spot.position + off_surface * spot.face_normal, pixel);
     }
     /// @param light_places  to look at, of those of the light
     vec4 through(const Painted& painted, const PatternSpot& spot, const vec2& pixel, std::size_t light_places) const
@@ -203,7 +190,7 @@ struct Painter {
         const PatternSpot in_frame = {painted.frame.point(spot.position), painted.frame.direction(spot.normal), painted.frame.direction(spot.face_normal), painted.frame.direction(spot.to_eye)};
         const int kernel = options.filter == PatternFilter::off ? KERNEL_NONE : options.filter == PatternFilter::box ? KERNEL_BOX : KERNEL_GAUSS;
         const float width = kernel == KERNEL_BOX ? float(options.filter_box) : float(options.filter_width);
-        const float share = light_share(spot, pixel, light_places);
+        const float share = unhidden(spot, pixel, light_places);
         const auto shaded = [&](const auto& shader) {
             return samples.empty() ? shader.at(painted.camera.point(in_frame), kernel, width, share) : supersample(shader, painted.camera, in_frame, pixel, samples, share);
         };
