@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct BenchRequest {
     std::vector<double> bounds;      ///< of meshes of terrain, metres
     std::vector<int> edges;          ///< of square pictures, px
     int runs = 7;                    ///< of whole processes; 0: none
+    std::filesystem::path figures;   ///< folder for the figures of the study; empty: none are made
     bool full = false;               ///< the whole protocol of the publication that it repeats, however long that takes
 };
 

@@ -206,7 +206,7 @@ std::vector<std::unique_ptr<PatternSubject>> pattern_subjects(double periods_per
     const vec3 cell = vec3(0.52f, 0.18f, 0.21f);
     const float unit = change_in_middle(camera, plane, {1 / cell.x, 0.5f / cell.y, 0}) / wanted;
     const vec3 height = vec3(0.006f) / cell;
-    add("bricks", BrickShader{{cell * unit, 0.02f * unit, 2, height, linear_colour(vec3(0.66f, 0.32f, 0.22f)), linear_colour(vec3(0.75f, 0.73f, 0.7f)), 0}, {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}, usual_light()},
+    add("bricks", BrickShader{{cell * unit, 0.02f * unit, 2, height, linear_colour(vec3(0.66f, 0.32f, 0.22f)), linear_colour(vec3(0.75f, 0.73f, 0.7f)), 0, 0}, {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}, usual_light()},
         camera, plane);
 
     Camera on_sphere = picture(edge, flat);
@@ -222,8 +222,8 @@ std::vector<std::unique_ptr<PatternSubject>> pattern_subjects(double periods_per
     const vec3 up = glm::normalize(vec3(0.12f, 1, 0));
     const LayerStack stack(double(change_in_middle(camera, plane, up) / wanted), -20);
     const Finish shiny = {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 1, 1, 0};
-    add("layers, seed", LayerShader{{LAYERS_SEED, up, 0, 0.2f, 0.5f, 0}, shiny, usual_light(), stack}, camera, plane);
-    add("layers, slope", LayerShader{{LAYERS_SLOPE, up, 0, 0.2f, 0.5f, 0}, shiny, usual_light(), stack}, camera, plane);
-    add("layers, beads", LayerShader{{LAYERS_BEAD, up, 0, 0.2f, 0.5f, 0}, finish_of(find_filament("pla-grey")), usual_light(), stack}, camera, plane);
+    add("layers, seed", LayerShader{{LAYERS_SEED, up, 0, 0.2f, 0.5f, 0, vec3(1, 0, 0), 1}, shiny, usual_light(), stack}, camera, plane);
+    add("layers, slope", LayerShader{{LAYERS_SLOPE, up, 0, 0.2f, 0.5f, 0, vec3(1, 0, 0), 1}, shiny, usual_light(), stack}, camera, plane);
+    add("layers, beads", LayerShader{{LAYERS_BEAD, up, 0, 0.2f, 0.5f, 0, vec3(1, 0, 0), 1}, finish_of(find_filament("pla-grey")), usual_light(), stack}, camera, plane);
     return subjects;
 }

@@ -203,8 +203,6 @@ void run(const CLI::App& app, RenderCommand& command)
     PictureCommand& pictures = command.pictures;
     if (!pictures.style.page.empty())
         throw Error::Input("--page: 'limn render' makes pictures, not pages; 'limn draw --shade smooth' writes pages");
-    if (command.pattern.is_wanted() && pictures.common.device == "gpu")
-        throw Error::Input("--device gpu: layers, bricks and thread are computed on the CPU so far; leave --device out, or say cpu");
     check_overlay(command.overlay);
     if (!command.overlay.empty() && pictures.model.subdivision.scheme != SubdivisionOptions::Scheme::loop)
         throw Error::Input("--overlay shows how control meshes are drawn; give --subdivision loop too");
@@ -234,7 +232,7 @@ void run(const CLI::App& app, RenderCommand& command)
             explain_pattern(command.pattern, pattern_place(command.pattern, pictures, model.up), model.scene, drawing);
         };
     hooks.note = [&] { return command.pattern.note; };
-    hooks.device = [&] { return command.pattern.is_wanted() ? "processor" : painter.device(); };
+    hooks.device = [&] { return painter.device(); };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);
         write_image(picture, output, command.render.bits);

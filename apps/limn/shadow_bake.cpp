@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,8 @@
 #include "limn/base/file.h"
 #include "limn/base/parallel.h"
 #include "limn/geometry/read_mesh.h"
+#include "limn/gpu/context.h"
+#include "limn/gpu/map_painter.h"
 #include "limn/shadow/bake_shadow_maps.h"
 #include "peak_memory.h"
 #include "shadow.h"
@@ -38,28 +41,50 @@ std::vector<Output> check(const BakeCommand& command)
     const std::vector<Output> outputs = checked_outputs(command.common, formats);
     if (outputs.empty())
         throw Error::Input("nothing to do: give -o FILE.csm");
-    check_cpu_only(command.common, "shadow bake");
     bake_grid(command.bake);
     return outputs;
 }
 
-/// @throws Error::Read naming the file where the mesh casts no shadow
-ShadowMaps baked(const BakeCommand& command, const Mesh& mesh, Console& console)
+/// @param context  of the device that draws; none: the processor
+ShadowMaps baked_on(const std::optional<gpu::Context>& context, const BakeCommand& command, const Mesh& mesh, Console& console)
 {
+    return bake_shadow_maps(
+        mesh, command.bake, [&](double part) { console.progress("baking", 0.05 + 0.9 * part); }, context ? MakePainter(gpu::map_painter) : MakePainter());
+}
+
+struct Baked {
+    ShadowMaps maps;
+    std::string device;
+};
+
+/// @throws Error::Read naming the file where the mesh casts no shadow
+Baked baked(const BakeCommand& command, const Mesh& mesh, Console& console)
+{
+    const auto say = [&](const std::string& line) { console.warn(line); };
     try {
-        return bake_shadow_maps(mesh, command.bake, [&](double part) { console.progress("baking", 0.05 + 0.9 * part); });
+        std::optional<gpu::Context> context = gpu::wanted_context(command.common.device, say);
+        try {
+            ShadowMaps maps = baked_on(context, command, mesh, console);
+            return {std::move(maps), context ? context->info().renderer : "processor"};
+        } catch (const Error::Device& error) {
+            if (command.common.device != "auto")
+                throw;
+            say(std::string(error.what()) + "; the processor is used");
+            return {baked_on(std::nullopt, command, mesh, console), "processor"};
+        }
     } catch (const Error::Input& error) {
         throw Error::Read(fmt::format("{}: {}", command.file, error.what()));
     }
 }
 
-std::string report(const BakeCommand& command, const ReadResult& read, const ShadowMaps& maps, double seconds)
+std::string report(const BakeCommand& command, const ReadResult& read, const Baked& baked, double seconds)
 {
     nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", "shadow bake"}, {"file", command.file}};
     json["triangles"] = read.mesh.triangles.size();
     json["warnings"] = read.notes;
     json["outputs"] = command.common.outputs;
-    json.update(maps_json(maps));
+    json["device"] = baked.device;
+    json.update(maps_json(baked.maps));
     json["peak_memory"] = peak_memory();
     json["seconds"] = {{"total", seconds}};
     return json.dump(2) + "\n";
@@ -78,15 +103,15 @@ void run(const BakeCommand& command)
     warnings.add(command.file, read.notes);
     if (command.common.strict && !warnings.empty())
         throw Error::Read(warnings.line() + " (--strict)");
-    const ShadowMaps maps = baked(command, read.mesh, console);
+    const Baked result = baked(command, read.mesh, console);
     console.progress("writing", 0.95);
     for (const Output& output : outputs)
-        write_csm(maps, output.path);
+        write_csm(result.maps, output.path);
     if (command.common.json)
-        write_file("-", report(command, read, maps, watch.total()));
+        write_file("-", report(command, read, result, watch.total()));
     if (!warnings.empty())
         console.warn(warnings.line());
-    console.finish(fmt::format("{}: {}, {}", what_was_written(command.common.outputs), size_text(maps), seconds_text(watch.total())));
+    console.finish(fmt::format("{}: {}, {}", what_was_written(command.common.outputs), size_text(result.maps), seconds_text(watch.total())));
 }
 
 } // namespace

@@ -14,6 +14,8 @@
 #include "limn/shadow/haar_layers.h"
 #include "limn/shadow/map_clusters.h"
 #include "limn/shadow/map_codec.h"
+#include "limn/shadow/map_quality.h"
+#include "limn/shadow/place_look_up.h"
 #include "limn/shadow/shadow_error.h"
 #include "limn/surface/model_samples.h"
 #include "limn/surface/shapes.h"
@@ -25,7 +27,6 @@ using namespace limn;
 namespace {
 
 constexpr const char* bunny_file = "/usr/share/glmark2/models/bunny.obj";
-constexpr std::size_t shape_triangles = 40000;
 constexpr MapOrder orders[] = {MapOrder::theta_zigzag, MapOrder::theta_linear, MapOrder::hilbert, MapOrder::phi_linear, MapOrder::phi_zigzag};
 
 bool is_among(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
@@ -36,11 +37,26 @@ std::string size_text(std::size_t bytes) { return fmt::format("{:.3f}", megabyte
 
 std::string ratio_text(const ShadowMaps& maps) { return fmt::format("{:.1f}", double(maps.info().uncompressed_bytes()) / double(maps.bytes().size())); }
 
+template <class Look> AskShadows asking(const Look& look)
+{
+    return [&look](std::span<const ShadowQuery> queries, std::span<Verdict> verdicts) { look.at(queries, verdicts); };
+}
+
 /// % of places that face the light.
 double error_on_object(const CasterRays& rays, const ShadowMaps& maps)
 {
     const LookUp<ShadowMaps> look(maps.layout(), maps);
-    return object_shadow_error(rays, [&](std::span<const ShadowQuery> queries, std::span<Verdict> verdicts) { look.at(queries, verdicts); }).of_facing();
+    return object_shadow_error(rays, asking(look)).of_facing();
+}
+
+/// The seed's maps on the largest square grid whose file is no larger.
+ShadowMaps seed_maps_within(const Mesh& mesh, std::size_t bytes, int resolution)
+{
+    int fits = 1;
+    for (int step = 64; step > 0; step /= 2)
+        if (bake_shadow_maps(mesh, seed_options((fits + step) * (fits + step), resolution)).bytes().size() <= bytes)
+            fits += step;
+    return bake_shadow_maps(mesh, seed_options(fits * fits, resolution));
 }
 
 std::string error_text(double error) { return fmt::format("{:.2f}", error); }
@@ -66,12 +82,12 @@ Mesh turned(Mesh mesh, int axis, bool over)
 
 } // namespace
 
-ShadowSubject shadow_subject(const std::string& name)
+ShadowSubject shadow_subject(const std::string& name, std::size_t triangles)
 {
     if (is_among(model_sample_names(), name))
         return {name, make_model_sample(name)};
     if (is_among(shape_names(), name))
-        return {name, make_shape({.name = name, .triangles = shape_triangles}).mesh};
+        return {name, make_shape({.name = name, .triangles = triangles}).mesh};
     return {std::filesystem::path(name).stem().string(), read_mesh(name)};
 }
 
@@ -201,4 +217,37 @@ void add_look_ups(const ShadowSubject& subject, const std::vector<int>& counts, 
                    fmt::format("{:.0f}", times.seed), fmt::format("{:.0f}", times.bricks), fmt::format("{:.0f}", times.bricks_alone),
                    fmt::format("{:.2f}", times.bricks / times.rays)});
     }
+}
+
+void add_qualities(const ShadowSubject& subject, const std::vector<int>& counts, const std::vector<int>& resolutions, MarkdownTable& table, MarkdownTable& smallest)
+{
+    const CasterRays rays(make_shadow_caster(subject.mesh));
+    std::vector<MapQuality> all;
+    for (const int count : counts) {
+        std::vector<std::string> row = {subject.name, with_thousands(std::size_t(count))};
+        for (const int resolution : resolutions) {
+            BakeOptions options;
+            options.maps = count, options.resolution = resolution;
+            const ShadowMaps maps = bake_shadow_maps(subject.mesh, options);
+            all.push_back({count, resolution, maps.bytes().size(), error_on_object(rays, maps)});
+            row.push_back(fmt::format("{} / {}", error_text(all.back().error), size_text(all.back().bytes)));
+        }
+        table.add(row);
+    }
+    const MapQuality best = smallest_of_plateau(all);
+    smallest.add({subject.name, with_thousands(std::size_t(best.maps)), std::to_string(best.resolution), size_text(best.bytes), error_text(best.error)});
+}
+
+void add_floors(const ShadowSubject& subject, int count, int resolution, MarkdownTable& table)
+{
+    const CasterRays rays(make_shadow_caster(subject.mesh));
+    BakeOptions options;
+    options.maps = count, options.resolution = resolution;
+    const ShadowMaps bricks = bake_shadow_maps(subject.mesh, options), seed = seed_maps_within(subject.mesh, bricks.bytes().size(), resolution);
+    const LookUp<ShadowMaps> by_middle(bricks.layout(), bricks), seed_by_middle(seed.layout(), seed);
+    const PlaceLookUp<ShadowMaps> as_seed(seed.layout(), seed);
+    const auto error = [&](const AskShadows& ask) { return floor_shadow_error(rays, ask).of_queries(); };
+    const double own = error(asking(by_middle)), seeds = error(asking(as_seed)), middle = error(asking(seed_by_middle));
+    table.add({subject.name, with_thousands(std::size_t(count)), size_text(bricks.bytes().size()), error_text(own), with_thousands(seed.info().grid.count()), size_text(seed.bytes().size()),
+               error_text(seeds), error_text(middle), fmt::format("{:.1f}", seeds / own)});
 }

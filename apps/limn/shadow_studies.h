@@ -13,8 +13,8 @@ struct ShadowSubject {
     limn::Mesh mesh;
 };
 
-/// A shape of `limn sample`, or a file. @throws limn::Error::Input, limn::Error::Read
-ShadowSubject shadow_subject(const std::string& name);
+/// A shape of `limn sample`, of about so many triangles where it may have any number, or a file. @throws limn::Error::Input, limn::Error::Read
+ShadowSubject shadow_subject(const std::string& name, std::size_t triangles = 40000);
 /// The shapes that are generated, and the bunny where its package is installed.
 std::vector<std::string> shadow_subject_names();
 
@@ -35,3 +35,7 @@ void add_orientations(const ShadowSubject& subject, int maps, int resolution, Ma
 void add_compressors(const ShadowSubject& subject, int maps, int resolution, MarkdownTable& table);
 /// Checklist 27: nanoseconds of processor time for each look-up, in one thread, beside rays; the places are those of the error's pictures, shuffled.
 void add_look_ups(const ShadowSubject& subject, const std::vector<int>& maps, int resolution, MarkdownTable& table);
+/// Checklist 25: errors on the object and sizes by number of maps and resolution; and the smallest file on the plateau.
+void add_qualities(const ShadowSubject& subject, const std::vector<int>& maps, const std::vector<int>& resolutions, MarkdownTable& table, MarkdownTable& smallest);
+/// Errors on a floor beside those of the seed's codec in as many bytes, looked up its way and ours.
+void add_floors(const ShadowSubject& subject, int maps, int resolution, MarkdownTable& table);

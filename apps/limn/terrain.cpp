@@ -61,6 +61,7 @@ struct TerrainCommand {
     bool error_report = false, double_positions = false;
     double base = 0;       ///< mm where a print size is given, else metres; 0: none
     double print_size = 0; ///< mm; 0: metres as they are
+    double tile_memory = 0; ///< MB; 0: any
 };
 
 /// What is made of a terrain: each kind from a mesh of its own.
@@ -293,7 +294,9 @@ void run(const CLI::App& app, TerrainCommand& command)
         throw Error::Input("--drape needs a whole height map in memory; a pyramid is in tiles");
     if (is_pyramid_file(command.file))
         return run_terrain_pyramid({command.common, command.file, command.view, command.max_error, command.build, command.picture, command.error_report,
-                                    command.double_positions, command.base, command.print_size}, outputs);
+                                    command.double_positions, command.base, command.print_size, command.tile_memory}, outputs);
+    if (command.tile_memory > 0)
+        throw Error::Input("--tile-memory is for pyramids of 'limn terrain build'");
     Console console(command.common.quiet);
     console.progress("reading", 0);
     ReadHeightMapResult read = read_height_map_with_notes(command.file, command.read);
@@ -349,6 +352,10 @@ Subcommand add_terrain(CLI::App& limn)
         ->check(CLI::Range(0.0, 1e9))
         ->group("Print");
     app->add_option("--print-size", command->print_size, "scale the mesh so that its longer side has so many mm")->type_name("MM")->check(CLI::Range(0.0, 1e6))->group("Print");
+    app->add_option("--tile-memory", command->tile_memory, "of a pyramid: no more tiles for a picture's mesh than fit in so much; where they do not keep the bound, it is marked in red")
+        ->type_name("MB")
+        ->check(CLI::Range(0.0, 1e6))
+        ->group("Picture");
     add_terrain_smooth_options(*app, command->smooth);
     add_table_options(*app, terrain_picture_option_table(), command->picture, "Picture");
     add_drape_option(*app, command->drape);

@@ -13,8 +13,10 @@
 #include "limn/drawing/png.h"
 #include "limn/geometry/write_mesh.h"
 #include "limn/scene/pyramid_normals.h"
+#include "limn/scene/unmet_marks.h"
 #include "limn/terrain/measure_terrain.h"
 #include "limn/terrain/pyramid_leaves.h"
+#include "limn/terrain/terrain_pyramid_view.h"
 #include "peak_memory.h"
 #include "terrain_output.h"
 
@@ -32,6 +34,12 @@ void check(const PyramidCommand& command, const std::vector<Output>& outputs)
         throw Error::Input("--method: of a pyramid there is strict only; delaunay and par need a whole height map in memory");
     if (command.build.triangles > 0)
         throw Error::Input("--triangles: of a pyramid, say --max-error");
+    if (command.tile_memory > 0 && (outputs.empty() || !std::all_of(outputs.begin(), outputs.end(), is_picture)))
+        throw Error::Input("--tile-memory is for pictures; a mesh in a file keeps its bound everywhere");
+    if (command.tile_memory > 0 && command.error_report)
+        throw Error::Input("--tile-memory: where the bound is not kept is marked in the picture; leave --error-report out");
+    if (command.tile_memory > 0 && command.build.max_edge > 0)
+        throw Error::Input("--tile-memory: with --max-edge a picture needs all the tiles it needs; leave one of them out");
     for (const Output& output : outputs)
         if (!is_picture(output) && output.format != "ply" && output.format != "obj" && output.format != "stl" && output.format != "glb")
             throw Error::Input(fmt::format(
@@ -58,6 +66,8 @@ public:
     }
     const TerrainPyramid& pyramid() const { return pyramid_; }
     const std::optional<Camera>& camera() const { return camera_; }
+    /// A warning where tiles that were not allowed in memory are missing.
+    const std::string& unmet_fault() const { return unmet_fault_; }
     std::vector<Made> make()
     {
         std::vector<Made> all;
@@ -104,15 +114,38 @@ private:
         const Mesh coarse = mesh(metric_test(pyramid_, tolerance, 0, exaggerate));
         return place_terrain_camera(command_.view, coarse).cameras.front();
     }
+    /// What a view that may hold so many tiles shows once they have arrived.
+    Mesh mesh_within_memory(const TerrainBound& asked)
+    {
+        if (!asked.in_pixels)
+            throw Error::Input("--tile-memory: tiles are chosen by what they show; say --max-error in pixels");
+        tiles_.clear();
+        TerrainPyramidView view(pyramid_, {.budget = std::size_t(command_.tile_memory * (1 << 20)), .exaggerate = command_.build.exaggerate});
+        const TerrainPyramidView::Frame& frame = view.finish(*camera_, {.pixels = asked.value});
+        if (!frame.is_met()) {
+            std::vector<PyramidLeaf> unmet;
+            for (const std::uint32_t number : frame.unmet)
+                unmet.push_back(frame.leaves[number]);
+            marks_.emplace(pyramid_mesh(pyramid_, unmet, command_.build.exaggerate));
+            unmet_fault_ = fmt::format("{} of {} triangles may be off by more than {:.4g} px, for want of tiles: give --tile-memory more than {:.4g} MB", with_thousands(unmet.size()),
+                                       with_thousands(frame.leaves.size()), asked.value, command_.tile_memory);
+            if (command_.common.strict)
+                throw Error::Read(fmt::format("{}: {} (--strict)", command_.file, unmet_fault_));
+        }
+        return pyramid_mesh(pyramid_, frame.leaves, command_.build.exaggerate);
+    }
     BuiltTerrain built(bool for_picture)
     {
         const TerrainBuildOptions& options = command_.build;
         BuiltTerrain built;
         built.asked = bound_ ? *bound_ : for_picture ? TerrainBound{1, true} : TerrainBound{relief() / 500, false};
         const double metres = built.asked.value * options.exaggerate;
-        built.mesh =
-            mesh(built.asked.in_pixels ? view_test(pyramid_, *camera_, {.pixels = built.asked.value}, options.max_edge, options.exaggerate)
-                                       : metric_test(pyramid_, metres, options.max_edge, options.exaggerate));
+        if (command_.tile_memory > 0)
+            built.mesh = mesh_within_memory(built.asked);
+        else
+            built.mesh =
+                mesh(built.asked.in_pixels ? view_test(pyramid_, *camera_, {.pixels = built.asked.value}, options.max_edge, options.exaggerate)
+                                           : metric_test(pyramid_, metres, options.max_edge, options.exaggerate));
         if (!command_.error_report)
             return built;
         const HeightRows rows = rows_of(pyramid_);
@@ -134,8 +167,9 @@ private:
         tiles_.clear();
         TileCache heights(pyramid_, picture_budget, TileParts::heights);
         const PyramidNormals normals(heights, *camera_, command_.build.exaggerate);
+        const GroundColour colour = marks_ ? GroundColour([&](const dvec3& place) { return marks_->colour(place); }) : GroundColour();
         write_file(output.path,
-                   encode_png(paint_terrain([&](const dvec3& place) { return normals(place); }, mesh, *camera_, command_.picture), {}));
+                   encode_png(paint_terrain([&](const dvec3& place) { return normals(place); }, mesh, *camera_, command_.picture, colour), {}));
     }
 
     const PyramidCommand& command_;
@@ -144,11 +178,16 @@ private:
     TileCache tiles_;
     std::optional<TerrainBound> bound_;
     std::optional<Camera> camera_;
+    std::optional<UnmetMarks> marks_;
+    std::string unmet_fault_;
 };
 
-std::string what_was_built(const BuiltTerrain& terrain, bool measured)
+/// @param marked  whether triangles that may break the bound are marked in the picture
+std::string what_was_built(const BuiltTerrain& terrain, bool measured, bool marked)
 {
     const std::string unit = unit_of(terrain.asked), triangles = counted(terrain.mesh.triangles.size(), "triangle");
+    if (marked)
+        return fmt::format("{} within {:.4g} {} where it is not marked", triangles, terrain.asked.value, unit);
     if (!measured)
         return fmt::format("{} within {:.4g} {} (--error-report measures it)", triangles, terrain.asked.value, unit);
     return fmt::format("{}, at most {:.4g} {} off at {} ({:.4g} {} asked)", triangles, terrain.measured.maximum, unit,
@@ -206,13 +245,15 @@ void run_terrain_pyramid(const PyramidCommand& command, const std::vector<Output
     if (command.common.strict && !warnings.empty())
         throw Error::Read(warnings.line() + " (--strict)");
     const std::vector<Made> all = maker.make();
+    if (!maker.unmet_fault().empty())
+        warnings.add(command.file, {maker.unmet_fault()});
     if (command.common.json)
         write_file("-", report(command, maker, all, warnings.all(), watch.total()));
     if (!warnings.empty())
         console.warn(warnings.line());
     std::vector<std::string> built;
     std::transform(all.begin(), all.end(), std::back_inserter(built),
-                   [&](const Made& made) { return what_was_built(made.terrain, command.error_report); });
+                   [&](const Made& made) { return what_was_built(made.terrain, command.error_report, !maker.unmet_fault().empty()); });
     if (command.error_report && !command.common.json)
         for (const Made& made : all)
             write_file("-", error_lines(made.terrain));

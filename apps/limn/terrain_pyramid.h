@@ -19,6 +19,7 @@ struct PyramidCommand {
     const limn::TerrainPictureOptions& picture;
     bool error_report, double_positions;
     double base, print_size;
+    double tile_memory; ///< MB of tiles for the mesh of a picture; 0: as many as it needs
 };
 
 /// Makes pictures and meshes of a pyramid, with the tiles that they need in memory. @throws limn::Error

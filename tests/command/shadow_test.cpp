@@ -42,6 +42,32 @@ TEST_F(ShadowCommand, BakesAFileAndTellsItsSize)
     EXPECT_EQ(limn("shadow bake - --from obj -o - --to csm --maps 64 --resolution 32 --quiet < " + torus()).output, std::string(maps.bytes()));
 }
 
+/// Checklist 10: maps are compressed as they come.
+TEST_F(ShadowCommand, SlowBakes65536MapsInLessThanAGigabyte)
+{
+    for (const std::string codec : {"bricks", "seed"}) {
+        const ProgramResult baked = limn("shadow bake " + torus() + " -o " + csm() + " --maps 65536 --resolution 128 --json --codec " + codec);
+        ASSERT_EQ(baked.exit_code, 0) << baked.errors;
+        const nlohmann::json report = nlohmann::json::parse(baked.output);
+        EXPECT_EQ(report["maps"], 65536);
+        EXPECT_LT(report["peak_memory"].get<double>() - report["bytes"].get<double>(), 1e9) << baked.errors;
+    }
+}
+
+TEST_F(ShadowCommand, BakesOnADeviceAsOnTheProcessor)
+{
+    const ProgramResult baked = limn("shadow bake " + torus() + " -o " + csm() + " --maps 64 --resolution 32 --device gpu --json");
+    if (baked.exit_code == 1 && baked.errors.find("EGL") != std::string::npos)
+        GTEST_SKIP() << baked.errors;
+    ASSERT_EQ(baked.exit_code, 0) << baked.errors;
+    const nlohmann::json report = nlohmann::json::parse(baked.output);
+    EXPECT_NE(report["device"], "processor");
+    const double bytes = report["bytes"];
+    bake();
+    const double own = double(read_csm(csm()).bytes().size());
+    EXPECT_NEAR(bytes, own, 0.05 * own);
+}
+
 TEST_F(ShadowCommand, BakesWithTheSeedsCodecInEveryOrder)
 {
     for (const std::string order : {"theta-zigzag", "theta-linear", "phi-zigzag", "phi-linear", "hilbert"}) {

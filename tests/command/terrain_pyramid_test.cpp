@@ -59,6 +59,41 @@ TEST_F(TerrainPyramidCommand, IsToldOfByInfo)
     EXPECT_EQ(facts["heights"]["highest"], nlohmann::json::parse(limn("info --quiet --json " + map()).output)["raster"]["heights"]["highest"]);
 }
 
+/// Red where it is marked.
+std::size_t marked_pixels(const Image& picture, const Image& plain)
+{
+    std::size_t count = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            count += picture.at(x, y)[0] - picture.at(x, y)[1] > plain.at(x, y)[0] - plain.at(x, y)[1] + 0.15f;
+    return count;
+}
+
+TEST_F(TerrainPyramidCommand, MarksWhereTooFewTilesKeepTheBound)
+{
+    const std::string view = "terrain " + pyramid() + " --size 320x240 --samples 1 --max-error 0.2px -o ";
+    ASSERT_EQ(limn(view + path("whole.png")).exit_code, 0);
+    const ProgramResult enough = limn(view + path("enough.png") + " --tile-memory 200");
+    EXPECT_EQ(enough.exit_code, 0) << enough.errors;
+    EXPECT_TRUE(read_text(path("enough.png")) == read_text(path("whole.png"))) << "with room for all of them";
+    const ProgramResult few = limn(view + path("few.png") + " --tile-memory 1.5");
+    EXPECT_EQ(few.exit_code, 0) << few.errors;
+    EXPECT_NE(few.errors.find(" triangles may be off by more than 0.2 px, for want of tiles: give --tile-memory more than 1.5 MB"), std::string::npos) << few.errors;
+    const Image whole = read_png(path("whole.png"));
+    const std::size_t some = marked_pixels(read_png(path("few.png")), whole);
+    EXPECT_GT(some, 50u);
+    EXPECT_NE(few.errors.find(" within 0.2 px where it is not marked; "), std::string::npos) << few.errors;
+    EXPECT_EQ(marked_pixels(read_png(path("enough.png")), whole), 0u);
+    EXPECT_EQ(limn(view + path("none.png") + " --tile-memory 0.001").exit_code, 0);
+    EXPECT_GT(marked_pixels(read_png(path("none.png")), whole), some) << "the fewer, the more of it";
+    const ProgramResult strict = limn(view + path("strict.png") + " --tile-memory 1.5 --strict");
+    EXPECT_EQ(strict.exit_code, 1);
+    EXPECT_FALSE(exists("strict.png"));
+    expect_refusal(map() + " -o " + path("x.png") + " --tile-memory 5", 2, "limn terrain: --tile-memory is for pyramids of 'limn terrain build'");
+    expect_refusal(pyramid() + " -o " + path("x.ply") + " --tile-memory 5", 2, "limn terrain: --tile-memory is for pictures; a mesh in a file keeps its bound everywhere");
+    expect_refusal(pyramid() + " -o " + path("x.png") + " --max-error 5m --tile-memory 5", 2, "limn terrain: --tile-memory: tiles are chosen by what they show; say --max-error in pixels");
+}
+
 TEST_F(TerrainPyramidCommand, PaintsAViewAndMeasuresItsBoundWhereAsked)
 {
     const std::string view = " --size 320x240 --samples 1 --exaggerate 1.5 --json --error-report -o ";

@@ -17,6 +17,8 @@ vec3 normal_at(const ivec2 p) { return vec3(0.0f); }
 uint id_at(const ivec2 p) { return 0u; }
 uint vector_at(const ivec2 p) { return 0u; }
 uint last_of_run(const uint i) { return i; }
+float layer_top(const int k) { return float(k); }
+float ground_value(const ivec2 p) { return 1.0f; }
 )";
 
 /// The text that a driver would get, with what the file includes.
@@ -24,7 +26,7 @@ std::string whole_shader(const std::filesystem::path& file)
 {
     const std::string name = file.filename().string();
     const bool guarded = test::read_text(file).find("#pragma once") != std::string::npos;
-    const std::string before = guarded ? "" : "#include \"limn/formulas/sobel.glsl\"\n" + picture;
+    const std::string before = guarded ? "" : "#include \"limn/formulas/sobel.glsl\"\n#include \"limn/formulas/print_layers.glsl\"\n#include \"limn/formulas/pattern_picture.glsl\"\n" + picture;
     return gpu::expand_shader(name, before + "#include \"limn/formulas/" + name + "\"\nlayout(location = 0) out vec4 colour;\nvoid main() { colour = vec4(1.0f); }\n");
 }
 

@@ -58,9 +58,9 @@ struct Formula {
 const char* const made_of = R"(
 Illumination lights(const vec3 l, const vec4 k) { Illumination lit = {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; return lit; }
 Finish plastic(const int model, const vec4 k) { Finish f = {model, vec3(0.6f, 0.5f, 0.4f), 0.1f, 1.0f + 20.0f * k.y, 0.2f + 0.3f * k.z, 0.3f + 0.4f * k.w, 0.04f}; return f; }
-BrickPattern wall(const int axes, const vec4 k) { BrickPattern b = {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(0.05f) * k.w, vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0.3f}; return b; }
+BrickPattern wall(const int axes, const vec4 k) { BrickPattern b = {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(0.05f) * k.w, vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0.3f, k.y > 0.5f ? 1 : 0}; return b; }
 ThreadPattern cloth(const int woven, const vec4 k) { ThreadPattern c = {0.06f, 0.04f, vec3(0.3f, 0.4f, 0.6f), 0.3f, 1.0f + 20.0f * k.x, -1.0f, 1.0f, woven}; return c; }
-LayerPattern stack(const int model) { LayerPattern s = {model, vec3(0.0f, 0.0f, 1.0f), 0.0f, 0.05f, 0.6f, 0.2f}; return s; }
+LayerPattern stack(const int model) { LayerPattern s = {model, vec3(0.0f, 0.0f, 1.0f), 0.0f, 0.05f, 0.6f, 0.2f, vec3(1.0f, 0.0f, 0.0f), 0.3f}; return s; }
 PatternPoint spot(const vec3 n, const vec3 v, const vec3 t, const vec4 x, const vec4 k)
 {
     vec3 seen = dot(n, v) < 0.0f ? -n : n;
@@ -70,9 +70,9 @@ PatternPoint spot(const vec3 n, const vec3 v, const vec3 t, const vec4 x, const 
 )";
 Illumination lights(const vec3 l, const vec4 k) { return {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; }
 Finish plastic(const int model, const vec4 k) { return {model, vec3(0.6f, 0.5f, 0.4f), 0.1f, 1.0f + 20.0f * k.y, 0.2f + 0.3f * k.z, 0.3f + 0.4f * k.w, 0.04f}; }
-BrickPattern wall(const int axes, const vec4 k) { return {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(0.05f) * k.w, vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0.3f}; }
+BrickPattern wall(const int axes, const vec4 k) { return {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(0.05f) * k.w, vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0.3f, k.y > 0.5f ? 1 : 0}; }
 ThreadPattern cloth(const int woven, const vec4 k) { return {0.06f, 0.04f, vec3(0.3f, 0.4f, 0.6f), 0.3f, 1.0f + 20.0f * k.x, -1.0f, 1.0f, woven}; }
-LayerPattern stack(const int model) { return {model, vec3(0.0f, 0.0f, 1.0f), 0.0f, 0.05f, 0.6f, 0.2f}; }
+LayerPattern stack(const int model) { return {model, vec3(0.0f, 0.0f, 1.0f), 0.0f, 0.05f, 0.6f, 0.2f, vec3(1.0f, 0.0f, 0.0f), 0.3f}; }
 PatternPoint spot(const vec3& n, const vec3& v, const vec3& t, const vec4& x, const vec4& k)
 {
     const vec3 seen = dot(n, v) < 0.0f ? -n : n;
@@ -86,6 +86,8 @@ std::vector<float> on_device(const std::string& body, const std::vector<Point>& 
 #include "limn/formulas/print_layers.glsl"
 #include "limn/formulas/supersampling.glsl"
 #include "limn/formulas/lcg.glsl"
+#include "limn/formulas/pattern_eye.glsl"
+#include "limn/formulas/pattern_picture.glsl"
 layout(local_size_x = 64) in;
 struct Point {{ vec4 n; vec4 l; vec4 v; vec4 t; vec4 x; vec4 k; }};
 layout(std430, binding = 0) readonly buffer Points {{ Point points[]; }};
@@ -124,10 +126,12 @@ const Formula formulas_of_patterns[] = {
     BOTH("blur_along, blur_variance", Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(x.x, x.y)); Blur b = blur_along(KERNEL_BOX, 2.0f, vec2(x.x, x.y));
          Blur h = blur_along(KERNEL_BOX, 1.0f, vec2(1e-7f, 0.0f)); r[0] = g.a; r[1] = b.a; r[2] = b.b; r[3] = blur_variance(g); r[4] = blur_variance(b); r[5] = float(h.kernel);
          s[0] = 5.0f; s[1] = 10.0f; s[2] = 10.0f; s[3] = 10.0f; s[4] = 10.0f;),
-    BOTH("sharp_saw, narrow_gauss_saw, wide_gauss_saw", vec2 a = sharp_saw(x.x); vec2 b = narrow_gauss_saw(x.x, 0.001f + 0.124f * k.x); vec2 c = wide_gauss_saw(x.x, 0.125f + k.x);
+    BOTH("sharp_saw, narrow_gauss_saw, wide_gauss_saw", vec2 a = sharp_saw(x.x); vec2 b = narrow_gauss_saw(x.x, 0.001f + 0.124f * k.x); vec2 c = wide_gauss_saw(turn_of(x.x), gauss_fade(0.125f + k.x));
          r[0] = a.x; r[1] = a.y; r[2] = b.x; r[3] = b.y; r[4] = c.x; r[5] = c.y; s[2] = 1.0f + 0.01f / (0.001f + 0.124f * k.x);),
     BOTH("narrow_box_saw, saw_integral_2, wide_box_saw", float a = 0.01f + 0.5f * k.x; vec2 u = narrow_box_saw(x.x, a, a * k.y); vec2 w = wide_box_saw(x.x, 0.5f + k.x, 0.5f + 0.5f * k.y);
          vec2 thin = saw_integral_2(x.x) + wide_box_saw(x.x, 0.9995f + k.x, 0.0005f); r[0] = u.x; r[1] = u.y; r[2] = w.x; r[3] = w.y; r[4] = thin.x; r[5] = thin.y; s[0] = 1.0f + 0.01f / a;),
+    BOTH("blur_of, turn_of, turn_sum, turn_difference, blurred_saw_turned", vec2 a = turn_of(x.x); vec2 b = turn_of(x.y); vec2 c = turn_sum(a, b); vec2 d = turn_difference(a, b);
+         Blur g = blur_of(KERNEL_GAUSS, 0.13f + 0.5f * k.x, 0.0f); vec2 e = blurred_saw_turned(x.x, a, g); r[0] = a.x; r[1] = c.x; r[2] = c.y; r[3] = d.x; r[4] = e.x; r[5] = e.y;),
     BOTH("blurred_saw, blurred_pulse, stretch_under", Blur g = blur_along(KERNEL_GAUSS, 1.0f, vec2(0.4f * k.x, 0.4f * k.y)); Blur b = blur_along(KERNEL_BOX, 2.0f, vec2(0.2f + k.x, 0.2f + k.y));
          Stretch m = stretch_under(blurred_saw(x.x, b), blurred_saw(x.x - 0.4f, b), 0.4f, b); r[0] = blurred_pulse(x.x, x.y, k.z, g); r[1] = blurred_pulse(x.x, x.y, k.z, b); r[2] = m.weight;
          r[3] = m.middle * m.weight; r[4] = m.spread; s[0] = 1.0f + 0.02f / (g.a + 0.001f); s[1] = 2.0f;),
@@ -141,6 +145,11 @@ const Formula formulas_of_patterns[] = {
          r[5] = hair_specular(n, l, v, 1.0f + 9.0f * k.x, -1.0f); s[0] = 20.0f + 40.0f * r[0]; s[1] = 20.0f; s[2] = 20.0f; s[4] = 10.0f; s[5] = 10.0f;),
     BOTH("step_on_plane, change_per_pixel", PatternPoint p = spot(n, v, t, x, k); vec3 a = step_on_plane(l, v, n); vec2 c = change_per_pixel(p, l); float steep = 1.0f + 1.0f / max(abs(dot(v, n)), 1e-4f);
          r[0] = a.x; r[1] = a.y; r[2] = c.x; r[3] = c.y; s[0] = steep * steep; s[1] = s[0];),
+    BOTH("framed, pattern_sight, way_to_eye, seen_point, plane_place", mat3 turn = mat3(n, t, cross(n, t)); PatternEye e = {framed(turn, 2.0f, l, v) * 3.0f, l, 0.01f * t, 0.01f * n, vec2(50.0f, 40.0f), k.x > 0.5f ? 1 : 0};
+         vec3 at = vec3(x.x, x.y, x.z); vec2 pixel = vec2(100.0f * k.y, 80.0f * k.z); vec3 to = way_to_eye(e, at); PatternPoint p = seen_point(e, at, n, to, to); vec3 moved = plane_place(e, at, to, pixel, pixel + vec2(k.x, k.y));
+         r[0] = pattern_sight(e, pixel).x; r[1] = to.y; r[2] = p.right.x; r[3] = p.down.z; r[4] = abs(dot(normalize(pattern_sight(e, pixel)), to)) < 0.3f ? 0.0f : moved.y; s[0] = 2.0f; s[2] = 2.0f; s[3] = 2.0f; s[4] = 400.0f;),
+    BOTH("shown_light, cusp_height, cusp_light, is_outline", SeenPlace a = {vec3(x.x, x.y, x.z), n, 0.01f}; SeenPlace b = {vec3(x.x, x.y, x.z) + 0.1f * k.x * t, v, 0.01f}; SeenPlace gone = {l, n, 0.0f};
+         r[0] = shown_light(vec3(3.0f * k.x, k.y, 0.8f)).x; r[1] = cusp_height(0.2f, x.x); r[2] = cusp_light(n, v); r[3] = is_outline(a, b) ? 1.0f : 0.0f; r[4] = is_outline(a, gone) && !is_outline(gone, gone) ? 1.0f : 0.0f;),
     BOTH("window_direction, meet_plane, meet_sphere", mat4 back = mat4(0.5f, 0.0f, 0.0f, 0.0f, 0.0f, 0.4f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, -5.0f, 0.0f, 0.0f, -1.0f, 5.0f);
          vec3 d = window_direction(back, vec3(100.0f * k.x, 100.0f * k.y, 0.5f), 2.0f + k.z, vec2(100.0f, 100.0f)); vec3 m = meet_plane(d, vec3(x.x, x.y, x.z), n); float steep = abs(dot(d, n)) + 1e-4f;
          r[0] = d.x; r[1] = d.y; r[2] = d.z; r[3] = steep < 0.05f ? 0.0f : m.x; r[4] = meet_sphere(d, d * 3.0f + 0.5f * t, 1.0f, k.w > 0.5f); s[3] = 10.0f / (steep * steep); s[4] = 10.0f;),
@@ -148,8 +157,9 @@ const Formula formulas_of_patterns[] = {
          r[3] = bevel(0.2f, k.x); r[4] = bevel_slope(0.2f, k.x); r[5] = bevel_difference(0.2f, k.y, 0.05f); s[1] = 20.0f; s[4] = 20.0f; s[5] = 40.0f;),
     BOTH("bumped, bump_gradient, brick_gradient, brick_colour", BrickPattern b = wall(2, k); vec3 g = brick_gradient(b, vec3(x.x, x.y, x.z)); vec3 h = bump_gradient(b, l, v); r[0] = bumped(n, 2.0f * l).x;
          r[1] = g.x; r[2] = g.y; r[3] = h.z; r[4] = brick_colour(b, vec3(x.x, x.y, x.z) * 10.0f, k.x).x; s[0] = 10.0f; s[1] = 40.0f; s[2] = 40.0f;),
+    BOTH("brick_rows", Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickRows a = brick_rows(x.x, 0.1f, k.z, g); r[0] = a.straight.weight[0]; r[1] = a.shifted.weight[1]; s[0] = 2.0f; s[1] = 2.0f;),
     BOTH("brick_at, brick_axis, brick_shares, ramps, bricks_through", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); BrickPattern b = wall(3, k); Finish f = plastic(FINISH_MATTE, k);
-         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxis a = brick_axis_at(x.x, 0.1f, g);
+         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxis a = brick_axis_at(x.x, turn_of(x.x), 0.1f, turn_of(0.1f), g);
          BrickAxis c = brick_axis(blurred_saw(x.y, g), blurred_saw(x.y - 0.05f, g), blurred_saw(x.y - 0.45f, g), blurred_saw(x.y - 0.5f, g), 0.1f, 0.5f, g); vec3 places = vec3(k.x, k.y, k.z);
          r[0] = brick_at(b, f, p.position, p.normal, v, lit).x + slope_light(x.x, vec2(k.x, k.y), vec2(k.z, k.w), k.x).x + ramp_light(6.0f * x.x, k.x, 0.3f * k.y, vec2(k.x, k.y), vec2(k.z, k.w), 0.5f).y; r[1] = a.weight[0] + c.weight[2] + brick_shares(b, p, KERNEL_GAUSS, 0.5f).wide; r[2] = a.weight[0] * a.middle[0] + ramp_height(k.x, 0) + ramp_slope(k.x, 0.1f, 2);
          r[3] = ramp_radiance(b, f, p, t, 0, 1, 2, places, lit).x + ramp_mean(b, f, p, t, 0, 1, 1, places, 0.2f, lit).y; r[4] = bricks_through(b, f, p, KERNEL_GAUSS, 0.5f, lit).x;
@@ -162,6 +172,11 @@ const Formula formulas_of_patterns[] = {
     BOTH("thread_through", ThreadPattern c = cloth(k.z > 0.5f ? 1 : 0, k); PatternPoint p = spot(n, v, t, vec4(n, 0.0f), k); Illumination lit = lights(l, k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f;
          vec4 a = thread_through(c, p, KERNEL_GAUSS, 0.5f, lit); vec4 b = thread_through(c, p, KERNEL_BOX, 2.0f, lit); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; r[2] = sure ? b.y : 0.0f; r[3] = sure ? b.w : 0.0f;
          s[0] = 20.0f; s[1] = 20.0f; s[2] = 20.0f; s[3] = 20.0f;),
+    BOTH("thread_around", ThreadPattern c = cloth(1, k); vec3 centre = vec3(0.1f, 0.2f, 0.3f); PatternPoint p = spot(n, v, t, vec4(centre + n * 1.5f, 0.0f), k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f && abs(dot(n, v)) > 0.01f;
+         vec4 a = thread_around(c, centre, p, KERNEL_GAUSS, 0.5f, lights(l, k)); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; s[0] = 20.0f; s[1] = 60.0f;),
+    BOTH("signed_tread, block_normal, seed_treads, block_radiance", PatternPoint p = spot(n, v, t, x, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
+         bool sure = length(vec2(n.x, n.y)) > 0.2f && abs(n.y) > 0.2f; vec3 up = vec3(0.0f, 0.0f, 1.0f); vec3 across = vec3(1.0f, 0.0f, 0.0f); r[0] = signed_tread(x.x, k.x); r[1] = sure ? block_normal(n, up, across, k.x, k.y).z : 0.0f; r[2] = seed_treads(x.x, v.z, g);
+         r[3] = sure ? block_radiance(stack(LAYERS_VOXEL), plastic(FINISH_BLINN_PHONG, k), p, place, KERNEL_GAUSS, 0.5f, lights(l, k)).x : 0.0f; s[1] = 10.0f; s[2] = 5.0f; s[3] = 60.0f;),
     BOTH("seed_gap, seed_tread, seed_layer_normal, tread_share, slope_tread", LayerPlace place = {x.x, 0.2f, vec2(k.x, k.y)}; float sight = x.y < 0.0f ? -0.1f - 0.9f * k.z : 0.1f + 0.9f * k.z; r[0] = seed_gap(x.x, 0.2f, sight);
          r[1] = seed_tread(stack(LAYERS_SOFT), place, sight); r[2] = seed_layer_normal(n, v, k.x).x; r[3] = tread_share(n.x, v.x, dot(n, v)); r[4] = slope_tread(x.x, k.x); s[0] = 4.0f; s[1] = 100.0f; s[2] = 10.0f;
          s[3] = 1.0f + 1.0f / max(abs(dot(n, v)), 1e-4f);),

@@ -105,10 +105,10 @@ PatternLight light() { return {{glm::normalize(vec3(-0.4f, 0.8f, 0.7f)), vec3(2)
 std::vector<Case> cases(double period)
 {
     const float unit = float(period * 2.68 / edge); // the picture shows so much at the middle
-    const BrickShader bricks = {{vec3(1.5f * unit, unit, unit), 0.12f * unit, 2, vec3(0.03f), vec3(0.5f, 0.2f, 0.1f), vec3(0.7f), 0}, {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}, light()};
+    const BrickShader bricks = {{vec3(1.5f * unit, unit, unit), 0.12f * unit, 2, vec3(0.03f), vec3(0.5f, 0.2f, 0.1f), vec3(0.7f), 0, 0}, {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}, light()};
     const float cell = 1 / std::round(6.2831853f / unit); // of the way around: whole cells
     const ThreadShader thread = {{0.6f * cell, 0.4f * cell, vec3(0.2f, 0.35f, 0.6f), 0.2f, 8, -1, 1, 0}, light(), vec3(0, 0, -1), 1};
-    LayerShader seed = {{LAYERS_SEED, {0, 1, 0}, 0, 0.2f, 0.5f, 0}, {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 0, 0, 0}, light(), LayerStack(double(unit), -20)};
+    LayerShader seed = {{LAYERS_SEED, {0, 1, 0}, 0, 0.2f, 0.5f, 0, {1, 0, 0}, unit}, {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 0, 0, 0}, light(), LayerStack(double(unit), -20)};
     LayerShader slope = seed, bead = seed;
     slope.pattern.model = LAYERS_SLOPE;
     bead.pattern.model = LAYERS_BEAD;

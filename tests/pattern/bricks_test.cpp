@@ -13,7 +13,7 @@ namespace {
 using namespace formulas;
 
 /// The seed's bricks with its literal bump.
-BrickPattern wall(int axes) { return {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(1), vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0}; }
+BrickPattern wall(int axes) { return {vec3(0.52f, 0.18f, 0.21f), 0.02f, axes, vec3(1), vec3(0.6f, 0.3f, 0.2f), vec3(0.7f), 0, 0}; }
 
 TEST(Checklist10, AWallHasTheSharesAndPlacesOfTheSpecification)
 {
@@ -46,6 +46,50 @@ TEST(Checklist11, SolidBricksFillTheirShareAndShowTheWallOnTheirFaces)
     }
     EXPECT_NEAR(double(inside) / n, 0.7733, 0.003);
     EXPECT_EQ(differ, 0);
+}
+
+TEST(Checklist11, BondedBricksAreShiftedOnTheirSidesToo)
+{
+    BrickPattern bonded = wall(3);
+    bonded.bond = 1;
+    int inside = 0;
+    const int n = 400000;
+    for (int i = 0; i < n; ++i) {
+        Random random(23, std::uint64_t(i));
+        inside += brick_mask(bonded, {float(random.uniform(-2.6, 2.6)), float(random.uniform(-1.8, 1.8)), float(random.uniform(-2.1, 2.1))}) > 0.5f;
+    }
+    EXPECT_NEAR(double(inside) / n, 0.7733, 0.003);
+    EXPECT_EQ(brick_mask(bonded, {0.26f, 0.09f, 0.0f}), 0.0f) << "mortar between bricks of an even row";
+    EXPECT_EQ(brick_mask(bonded, {0.05f, 0.27f, 0.0f}), 1.0f) << "the middle of a brick of an odd row";
+    EXPECT_EQ(brick_mask(wall(3), {0.05f, 0.27f, 0.0f}), 0.0f);
+}
+
+// The filter knows of both shifts: over many bricks it sees their shares.
+TEST(Bricks, TheFilterOfBondedOnesAgreesWithSamples)
+{
+    BrickPattern b = wall(3);
+    b.bond = 1;
+    b.bump = vec3(0);
+    const Finish f = {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0};
+    const Illumination lit = {{0, 0, 1}, vec3(2), 0, {0, 1, 0}, vec3(0.5f), vec3(0.1f)};
+    for (int i = 0; i < 60; ++i) {
+        Random random(26, std::uint64_t(i));
+        const auto number = [&](double size) { return float(random.uniform(-size, size)); };
+        const int axis = i % 3; // a face of a box
+        vec3 n(0), right(0), down(0);
+        n[axis] = 1;
+        const float size = 0.02f * std::exp(float(random.uniform(0, 3)));
+        right[(axis + 1) % 3] = size;
+        down[(axis + 2) % 3] = size;
+        const PatternPoint p = {{number(2), number(2), number(2)}, n, n, right, down};
+        const vec3 filtered = bricks_through(b, f, p, KERNEL_BOX, 1, lit);
+        vec3 mean(0);
+        for (int k = 0; k < 4096; ++k) {
+            const vec3 at = p.position + (float(k % 64) + 0.5f - 32) / 64 * right + (float(k / 64) + 0.5f - 32) / 64 * down;
+            mean += brick_at(b, f, at, n, n, lit) / 4096.0f;
+        }
+        EXPECT_LT(glm::length(filtered - mean), 0.03f) << "axis " << axis << ", size " << size;
+    }
 }
 
 TEST(Checklist11, BricksCanBeCarvedToASphere)
@@ -133,6 +177,7 @@ TEST(Bricks, MatteOnesLookAsThoseWithAHighlightOfNoStrength)
         const auto number = [&](double size) { return float(random.uniform(-size, size)); };
         BrickPattern b = wall(i % 2 == 0 ? 2 : 3);
         b.bump = vec3(0.03f);
+        b.bond = i % 4 == 3 ? 1 : 0;
         const vec3 n = i % 3 == 0 ? vec3(0, 0, 1) : direction();
         const float size = std::exp(number(4));
         const PatternPoint p = {{number(2), number(2), number(2)}, n, n, size * 0.1f * vec3(number(1), number(1), number(1)), size * 0.1f * vec3(number(1), number(1), number(1))};

@@ -15,7 +15,7 @@ namespace {
 
 using namespace formulas;
 
-LayerPattern layers(int model, const vec3& up = {0, 1, 0}) { return {model, up, 0, 0.2f, 0.5f, 0}; }
+LayerPattern layers(int model, const vec3& up = {0, 1, 0}) { return {model, up, 0, 0.2f, 0.5f, 0, {1, 0, 0}, 0.02f}; }
 Finish plastic() { return {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 0.3f, 0.4f, 0.04f}; }
 PatternLight light(const vec3& to) { return {{glm::normalize(to), vec3(2), 0, {0, 1, 0}, vec3(0.1f), vec3(0.05f)}, {}, {}, {}}; }
 
@@ -56,7 +56,7 @@ TEST(Checklist19, NothingIsNotANumber)
         if (i % 13 == 0)
             w = {0, i % 3 == 0 ? 1.0f : -1.0f, 0};
         const PatternPoint p = {vec3(0), n, -w, vec3(0.01f, 0, 0), vec3(0, 0.01f, 0)};
-        for (const int model : {LAYERS_SEED, LAYERS_SOFT, LAYERS_SLOPE, LAYERS_BEAD})
+        for (const int model : {LAYERS_SEED, LAYERS_SOFT, LAYERS_SLOPE, LAYERS_BEAD, LAYERS_VOXEL})
             for (const int kernel : {KERNEL_NONE, KERNEL_GAUSS, KERNEL_BOX}) {
                 const vec3 c = layers_through(layers(model), plastic(), p, {float(random.uniform(-9, 9)), 0.02f, vec2(0.3f, i % 17 == 0 ? 1e30f : 0.1f)}, kernel, 1, light({1, 1, 1}).lighting);
                 EXPECT_TRUE(std::isfinite(c.x + c.y + c.z)) << model << " " << kernel;
@@ -193,6 +193,39 @@ TEST(Checklist21, TheSoftStepsReachTheHeightOfTheSpecification)
             most = std::max(most, seed_tread(layers(LAYERS_SOFT), {at, float(l), vec2(0)}, -0.7f));
         EXPECT_NEAR(double(most), amplitude, 0.0012);
     }
+}
+
+// Two axes: a voxel look.
+TEST(Checklist21, BlocksAreTreadsAndRisersOfBothAxes)
+{
+    const vec3 n = glm::normalize(vec3(0.5f, 0.6f, 0.62f)), to_eye = glm::normalize(vec3(0.4f, 0.3f, 1));
+    const LayerPattern blocks = layers(LAYERS_VOXEL);
+    int both = 0, up = 0, side = 0, none = 0, wrong = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Random random(24, std::uint64_t(i));
+        const PatternPoint p = {{float(random.uniform(-1, 1)), float(random.uniform(-1, 1)), 0}, n, to_eye, vec3(0), vec3(0)};
+        const LayerPlace place = {p.position.y / 0.02f, 0.02f, vec2(0)};
+        const bool tread = seed_tread(layers(LAYERS_SEED), place, -to_eye.y) > 0.5f;
+        const bool beside = seed_tread(layers(LAYERS_SEED), {p.position.x / 0.02f, 0.02f, vec2(0)}, -to_eye.x) > 0.5f;
+        (tread ? (beside ? both : up) : (beside ? side : none)) += 1;
+        const vec3 bent = block_normal(n, {0, 1, 0}, {1, 0, 0}, tread, beside);
+        wrong += (std::abs(bent.y) > 1e-6f) != tread || (std::abs(bent.x) > 1e-6f) != beside;
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_NEAR(both / 20000.0, double(to_eye.x * to_eye.y), 0.012);
+    EXPECT_NEAR(up / 20000.0, double(to_eye.y * (1 - to_eye.x)), 0.012);
+    EXPECT_NEAR(side / 20000.0, double(to_eye.x * (1 - to_eye.y)), 0.012);
+    EXPECT_GT(none, 0);
+    // A pixel that sees many blocks sees their mean, in which the axes are alike.
+    const PatternPoint wide = {vec3(0), n, to_eye, vec3(1, 0.3f, 0), vec3(0.2f, 1, 0)};
+    const vec3 seen = layers_through(blocks, plastic(), wide, {0, 0.02f, change_per_pixel(wide, {0, 1, 0}) / 0.02f}, KERNEL_GAUSS, 0.5f, light({1, 1, 1}).lighting);
+    vec3 mean(0);
+    for (int i = 0; i < 20000; ++i) {
+        Random random(25, std::uint64_t(i));
+        const PatternPoint p = {{float(random.uniform(-1, 1)), float(random.uniform(-1, 1)), 0}, n, to_eye, vec3(0), vec3(0)};
+        mean += layers_through(blocks, plastic(), p, {p.position.y / 0.02f, 0.02f, vec2(0)}, KERNEL_NONE, 0, light({1, 1, 1}).lighting) / 20000.0f;
+    }
+    EXPECT_NEAR(seen.x, mean.x, 0.02f * mean.x);
 }
 
 TEST(Checklist21, LayersAlongAnotherAxisAreTheTurnedLayers)

@@ -40,9 +40,10 @@ TEST(DepthLayers, AreTheFirstAndSecondHitsOfRays)
     DepthPainter painter(knot, size);
     const DirectionGrid grid{DirectionSpread::even, {16, 16}};
     std::size_t covered = 0, off = 0, open = 0;
+    DepthLayers layers;
     for (const ivec2& cell : {ivec2(0, 0), ivec2(7, 3), ivec2(15, 9), ivec2(3, 12)}) {
         const MapFrame frame = grid.frame(cell);
-        const DepthLayers& layers = painter.paint(frame);
+        painter.paint(frame, layers);
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const std::size_t i = std::size_t(y * size + x);
@@ -78,8 +79,8 @@ TEST(DepthLayers, CountASurfaceOnceOnEdges)
     MapFrame frame;
     frame.right = {1, 0, 0}, frame.up = {0, 1, 0}, frame.towards = {0, 0, 1};
     for (const int size : {5, 7, 9, 31}) {
-        DepthPainter painter(caster, size);
-        const DepthLayers& layers = painter.paint(frame);
+        DepthLayers layers;
+        DepthPainter(caster, size).paint(frame, layers);
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const double u = (2 * x + 1.0) / size - 1, v = (2 * y + 1.0) / size - 1;
@@ -94,8 +95,9 @@ TEST(DepthLayers, CountASurfaceOnceOnEdges)
                 }
             }
     }
-    DepthPainter painter(caster, 9, OpenBack::constant);
-    EXPECT_EQ(painter.paint(frame).far[40], 0.5f + open_thickness);
+    DepthLayers layers;
+    DepthPainter(caster, 9, OpenBack::constant).paint(frame, layers);
+    EXPECT_EQ(layers.far[40], 0.5f + open_thickness);
 }
 
 TEST(DepthLayers, AreDrawnInAnyNumberOfThreadsAlike)
@@ -107,7 +109,8 @@ TEST(DepthLayers, AreDrawnInAnyNumberOfThreadsAlike)
     std::uint32_t ranks = 0;
     bake_maps(caster, grid, MapOrder::phi_zigzag, 20, [&](std::uint32_t rank, const DepthLayers& layers) {
         ASSERT_EQ(rank, ranks++);
-        const DepthLayers& wanted = one.paint(grid.frame(cell_of_rank(MapOrder::phi_zigzag, grid.cells, rank)));
+        DepthLayers wanted;
+        one.paint(grid.frame(cell_of_rank(MapOrder::phi_zigzag, grid.cells, rank)), wanted);
         ASSERT_EQ(layers.near, wanted.near);
         ASSERT_EQ(layers.far, wanted.far);
     });
@@ -121,7 +124,7 @@ TEST(DepthLayers, AreTheSameForEveryInstructionSet)
     const MapFrame frame = DirectionGrid{DirectionSpread::even, {5, 7}}.frame({2, 3});
     std::vector<DepthLayers> all;
     with_each_instruction_set([&](const char* name) {
-        all.push_back(DepthPainter(blob, 48).paint(frame));
+        DepthPainter(blob, 48).paint(frame, all.emplace_back());
         EXPECT_EQ(all.back().near, all.front().near) << name;
         EXPECT_EQ(all.back().far, all.front().far) << name;
     });

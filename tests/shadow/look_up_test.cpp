@@ -187,6 +187,34 @@ TEST(LookUp, OfManyAtOnceIsThatOfEach)
     EXPECT_GT(std::min({found[0], found[1], found[2]}), 200u);
 }
 
+/// Of lights from one place: of a small light many lie in the direction of one map, and places lie in and outside the sphere.
+TEST(LookUp, FromOnePlaceIsThatOfEach)
+{
+    const ShadowCaster knot = anchor_caster(anchor_knot());
+    const MapLayout layout = {{DirectionSpread::even, {32, 16}}, MapOrder::theta_zigzag, 48};
+    const SegmentLists lists = baked(knot, layout);
+    const LookUp look(layout, lists);
+    const CasterRays rays(knot);
+    Random random(4);
+    std::array<std::size_t, 3> found = {};
+    for (const ShadowQuery& query : surface_queries(rays, 2000, 3)) {
+        const vec3 from = query.from * float(random.uniform(0.9, 1.6)), lamp(query.to);
+        std::vector<ShadowEnd> ends;
+        for (int k = 0; k < 100; ++k) { // more than are looked up together
+            const vec3 near = lamp + 0.3f * random_direction(random);
+            const vec4 to = k % 10 == 0 ? far_towards(near - from) : k % 10 == 1 ? place(0.8f * random_direction(random)) : place(near);
+            ends.push_back({to, {float(random.uniform()), float(random.uniform())}});
+        }
+        std::vector<Verdict> together(ends.size());
+        look.at(from, ends, together);
+        for (std::size_t k = 0; k < ends.size(); ++k) {
+            ASSERT_EQ(look.at({from, ends[k].to, ends[k].among}), together[k]) << k << " of " << glm::length(from);
+            ++found[std::size_t(together[k])];
+        }
+    }
+    EXPECT_GT(std::min({found[0], found[1], found[2]}), 500u);
+}
+
 /// Checklist 7: what compression chose is what the uncompressed maps say wherever a place is not between both surfaces of its texel.
 TEST(LookUp, LosesNothingForPlacesThatAreNotBetweenBothSurfaces)
 {

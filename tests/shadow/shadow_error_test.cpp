@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
+#include "limn/shadow/place_look_up.h"
 #include "limn/shadow/shadow_error.h"
 #include "shadow/baked.h"
 #include "shadow/shadow_meshes.h"
@@ -12,28 +13,9 @@ namespace {
 
 MapLayout square_layout(int side, int size) { return {{DirectionSpread::even, {side, side}}, MapOrder::theta_zigzag, size}; }
 
-AskShadows asking(const LookUp<SegmentLists>& look)
+template <class Look> AskShadows asking(const Look& look)
 {
     return [&look](std::span<const ShadowQuery> queries, std::span<Verdict> verdicts) { look.at(queries, verdicts); };
-}
-
-/// As the seed looks places up that are outside the sphere: by their own texel and depth.
-AskShadows asking_at_the_place(const MapLayout& layout, const SegmentLists& lists)
-{
-    return [&](std::span<const ShadowQuery> queries, std::span<Verdict> verdicts) {
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-            ShadowLine line = formulas::shadow_line(queries[i].from, queries[i].to);
-            verdicts[i] = Verdict::lit;
-            if (line.kind == formulas::LINE_FREE)
-                continue;
-            line.kind = formulas::LINE_FROM, line.from = queries[i].from;
-            const ivec2 cell = layout.grid.cell_of(line.direction);
-            const MapProbe probe = formulas::map_probe(layout.grid.frame(cell), layout.size, line);
-            const std::uint32_t texel = formulas::texel_at(probe.place, layout.size);
-            if (texel != formulas::NO_TEXEL)
-                verdicts[i] = Verdict(formulas::shadow_verdict(probe, lists.depth(texel, rank_of(layout.order, layout.grid.cells, cell))));
-        }
-    };
 }
 
 /// Anchors of 8.3: the knot, 64 x 64 texels, within 10 %.
@@ -75,7 +57,8 @@ TEST(ShadowError, IsSeveralTimesSmallerOnAFloorByTheMiddleOfTheLine)
         const MapLayout layout = square_layout(row.side, row.size);
         const SegmentLists lists = baked(caster, layout);
         const LookUp look(layout, lists);
-        const FloorShadowError by_place = floor_shadow_error(truth, asking_at_the_place(layout, lists)), by_middle = floor_shadow_error(truth, asking(look));
+        const PlaceLookUp as_seed(layout, lists);
+        const FloorShadowError by_place = floor_shadow_error(truth, asking(as_seed)), by_middle = floor_shadow_error(truth, asking(look));
         fmt::print("{} {} maps of {} px: {:.2f} % by place ({} wanted), {:.2f} % by the middle ({} wanted), {} queries\n", row.blob ? "blob" : "knot", row.side * row.side, row.size,
                    by_place.of_queries(), row.by_place, by_middle.of_queries(), row.by_middle, by_middle.queries);
         EXPECT_NEAR(by_place.of_queries(), row.by_place, 0.1 * row.by_place);

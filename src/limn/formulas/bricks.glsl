@@ -14,6 +14,7 @@ struct BrickPattern {
     vec3 brick;     // colours, linear
     vec3 mortar;
     float variety;  // how much bricks differ, in [0,1]
+    int bond;       // 1: every other row is shifted in z too, so that all sides show the bond; 0: in x alone, as the seed has it
 };
 
 // Half the mortar as a part of the cell, on each axis.
@@ -26,7 +27,9 @@ FORMULA vec3 mortar_part(const BrickPattern b)
 FORMULA vec3 brick_place(const BrickPattern b, const vec3 p)
 {
     vec3 at = p / b.cell;
-    at.x = at.x + 0.5f * step(0.5f, fract(0.5f * at.y));
+    float shift = 0.5f * step(0.5f, fract(0.5f * at.y));
+    at.x = at.x + shift;
+    at.z = b.bond != 0 ? at.z + shift : at.z;
     return at;
 }
 
@@ -126,11 +129,36 @@ FORMULA BrickAxis brick_axis(const vec2 start, const vec2 high, const vec2 low, 
     return axis;
 }
 
-// Of cells that start where x is whole.
-FORMULA BrickAxis brick_axis_at(const float x, const float m, const Blur blur)
+// Of cells that start where x is whole; with the turns of x and m, which are not looked at where the kernel has no fade.
+FORMULA BrickAxis brick_axis_at(const float x, const vec2 turn, const float m, const vec2 ramp_turn, const Blur blur)
 {
-    vec2 start = blurred_saw(x, blur);
-    return brick_axis(start, blurred_saw(x - m, blur), blurred_saw(x + m, blur), start, m, 1.0f, blur);
+    vec2 start = blurred_saw_turned(x, turn, blur);
+    vec2 high = blurred_saw_turned(x - m, turn_difference(turn, ramp_turn), blur);
+    vec2 low = blurred_saw_turned(x + m, turn_sum(turn, ramp_turn), blur);
+    return brick_axis(start, high, low, start, m, 1.0f, blur);
+}
+
+// Along a side whose every other row may be shifted by half a cell.
+struct BrickRows {
+    BrickAxis straight;
+    BrickAxis shifted;
+};
+
+// `rows` is 0 where no row is shifted.
+FORMULA BrickRows brick_rows(const float x, const float m, const float rows, const Blur blur)
+{
+    vec2 turn = vec2(0.0f, 0.0f);
+    vec2 ramp_turn = turn;
+    if (blur.fade > 0.0f) {
+        turn = turn_of(x);
+        ramp_turn = turn_of(m);
+    }
+    BrickRows r;
+    r.straight = brick_axis_at(x, turn, m, ramp_turn, blur);
+    r.shifted = r.straight;
+    if (rows > 1e-4f && blur_variance(blur) < 0.8f) // else it does not show
+        r.shifted = brick_axis_at(x + 0.5f, -turn, m, ramp_turn, blur);
+    return r;
 }
 
 // Height at a place of a ramp, and its slope along the cell, by the side of the cell that it is on.
@@ -196,11 +224,10 @@ FORMULA vec2 ramp_light(const float steep, const float q, const float spread, co
 
 // The shares of a pixel's kernel on the axes of a wall. Rows that are shifted (odd) and rows that are not have shares of their own.
 struct BrickShares {
-    BrickAxis across;
-    BrickAxis shifted;
+    BrickRows across;
     BrickAxis even;
     BrickAxis odd;
-    BrickAxis deep;
+    BrickRows deep;
     float wide; // the kernel's standard deviation, in cells
 };
 
@@ -212,20 +239,26 @@ FORMULA BrickShares brick_shares(const BrickPattern b, const PatternPoint p, con
     Blur pairs = blur_along(kernel, width, vec2(p.right.y, p.down.y) * (0.5f / b.cell.y)); // of rows
     float y = 0.5f * at.y;
     float ramp = 0.5f * m.y;
-    vec2 even_start = blurred_saw(y, pairs);
-    vec2 odd_start = blurred_saw(y - 0.5f, pairs);
+    vec2 turn = vec2(0.0f, 0.0f);
+    vec2 ramp_turn = turn;
+    if (pairs.fade > 0.0f) {
+        turn = turn_of(y);
+        ramp_turn = turn_of(ramp);
+    }
+    vec2 even_start = blurred_saw_turned(y, turn, pairs);
+    vec2 odd_start = blurred_saw_turned(y - 0.5f, -turn, pairs);
+    vec2 after = turn_difference(turn, ramp_turn);
+    vec2 before = turn_sum(turn, ramp_turn);
     BrickShares s;
-    s.even = brick_axis(even_start, blurred_saw(y - ramp, pairs), blurred_saw(y - 0.5f + ramp, pairs), odd_start, m.y, 0.5f, pairs);
-    s.odd = brick_axis(odd_start, blurred_saw(y - 0.5f - ramp, pairs), blurred_saw(y + ramp, pairs), even_start, m.y, 0.5f, pairs);
-    s.across = brick_axis_at(at.x, m.x, along_x);
-    s.shifted = s.across; // where no row is shifted, and where it does not show
-    if (0.5f + even_start.x - odd_start.x > 1e-4f && blur_variance(along_x) < 0.8f)
-        s.shifted = brick_axis_at(at.x + 0.5f, m.x, along_x);
-    s.deep = s.across;
+    s.even = brick_axis(even_start, blurred_saw_turned(y - ramp, after, pairs), blurred_saw_turned(y - 0.5f + ramp, -before, pairs), odd_start, m.y, 0.5f, pairs);
+    s.odd = brick_axis(odd_start, blurred_saw_turned(y - 0.5f - ramp, -after, pairs), blurred_saw_turned(y + ramp, before, pairs), even_start, m.y, 0.5f, pairs);
+    float odd_rows = 0.5f + even_start.x - odd_start.x;
+    s.across = brick_rows(at.x, m.x, odd_rows, along_x);
+    s.deep = s.across; // of a wall: not looked at
     float variance = max(blur_variance(along_x), 4.0f * blur_variance(pairs));
     if (b.axes == 3) {
         Blur along_z = blur_along(kernel, width, vec2(p.right.z, p.down.z) / b.cell.z);
-        s.deep = brick_axis_at(at.z, m.z, along_z);
+        s.deep = brick_rows(at.z, m.z, b.bond != 0 ? odd_rows : 0.0f, along_z);
         variance = max(variance, blur_variance(along_z));
     }
     s.wide = sqrt(variance);
@@ -250,45 +283,47 @@ FORMULA vec3 bricks_through(const BrickPattern b, const Finish f, const PatternP
     vec3 sum = vec3(0.0f, 0.0f, 0.0f);
     vec3 lights = vec3(0.0f, 0.0f, 0.0f); // of matte mortar: the light's cosine, the sky's, and their weight
     float bricks = 0.0f;
-    for (int l = b.axes == 3 ? 0 : 1; l < (b.axes == 3 ? 3 : 2); ++l) {
-        float depth_weight = b.axes == 3 ? s.deep.weight[l] : 1.0f;
-        if (depth_weight < 1e-4f)
+    // One loop over the states: nested ones take software renderers minutes to compile.
+    int last = b.axes == 3 ? 27 : 18;
+    for (int state = b.axes == 3 ? 0 : 9; state < last; ++state) {
+        int l = state / 9;
+        int j = (state - 9 * l) / 3;
+        int i = state - 9 * l - 3 * j;
+        float even_depth = b.axes == 3 ? s.deep.straight.weight[l] : 1.0f;
+        float odd_depth = b.axes == 3 ? s.deep.shifted.weight[l] : 1.0f;
+        float on_even = s.across.straight.weight[i] * s.even.weight[j] * even_depth;
+        float on_odd = s.across.shifted.weight[i] * s.odd.weight[j] * odd_depth;
+        float weight = on_even + on_odd;
+        int ramps = (i == 1 ? 0 : 1) + (j == 1 ? 0 : 1) + (l == 1 ? 0 : 1);
+        if (ramps == 0) {
+            bricks = bricks + weight;
             continue;
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) {
-                float on_even = s.across.weight[i] * s.even.weight[j] * depth_weight;
-                float on_odd = s.shifted.weight[i] * s.odd.weight[j] * depth_weight;
-                float weight = on_even + on_odd;
-                int ramps = (i == 1 ? 0 : 1) + (j == 1 ? 0 : 1) + (l == 1 ? 0 : 1);
-                if (ramps == 0) {
-                    bricks = bricks + weight;
-                    continue;
-                }
-                if (weight < 2e-3f || even_surface) {
-                    if (matte)
-                        lights = lights + vec3(max(n_light.x, 0.0f), n_light.y, 1.0f) * weight;
-                    else if (weight > 1e-5f)
-                        sum = sum + weight * reflected(mortar, p.normal, t, p.to_eye, 0.0f, lit);
-                    continue;
-                }
-                float part = on_even / weight;
-                vec3 q = vec3(mix(s.shifted.middle[i], s.across.middle[i], part), mix(s.odd.middle[j], s.even.middle[j], part), s.deep.middle[l]);
-                float spread = i != 1 ? s.across.spread : (j != 1 ? s.even.spread : s.deep.spread);
-                if (!matte) {
-                    sum = sum + weight * (ramps > 1 ? ramp_radiance(b, mortar, p, t, i, j, l, q, lit) : ramp_mean(b, mortar, p, t, i, j, l, q, spread, lit));
-                } else if (ramps == 1) {
-                    int axis = i != 1 ? 0 : (j != 1 ? 1 : 2);
-                    int side = axis == 0 ? i : (axis == 1 ? j : l);
-                    float steep = (side == 0 ? 6.0f : -6.0f) * b.bump[axis] / m[axis];
-                    vec2 light = ramp_light(steep, q[axis], spread, n_light, vec2(to_light[axis], to_sky[axis]), 1.0f - p.normal[axis] * p.normal[axis]);
-                    lights = lights + vec3(light.x, light.y, 1.0f) * weight;
-                } else {
-                    vec3 height = vec3(ramp_height(q.x, i), ramp_height(q.y, j), ramp_height(q.z, l));
-                    vec3 slope = vec3(ramp_slope(q.x, m.x, i), ramp_slope(q.y, m.y, j), ramp_slope(q.z, m.z, l));
-                    vec3 n = bumped(p.normal, bump_gradient(b, slope, height));
-                    lights = lights + vec3(facing(n, lit.to_light), dot(n, lit.up), 1.0f) * weight;
-                }
-            }
+        }
+        if (weight < 2e-3f || even_surface) {
+            if (matte)
+                lights = lights + vec3(max(n_light.x, 0.0f), n_light.y, 1.0f) * weight;
+            else if (weight > 1e-5f)
+                sum = sum + weight * reflected(mortar, p.normal, t, p.to_eye, 0.0f, lit);
+            continue;
+        }
+        float part = on_even / weight;
+        vec3 q = vec3(mix(s.across.shifted.middle[i], s.across.straight.middle[i], part), mix(s.odd.middle[j], s.even.middle[j], part),
+                      mix(s.deep.shifted.middle[l], s.deep.straight.middle[l], part));
+        float spread = i != 1 ? s.across.straight.spread : (j != 1 ? s.even.spread : s.deep.straight.spread);
+        if (!matte) {
+            sum = sum + weight * (ramps > 1 ? ramp_radiance(b, mortar, p, t, i, j, l, q, lit) : ramp_mean(b, mortar, p, t, i, j, l, q, spread, lit));
+        } else if (ramps == 1) {
+            int axis = i != 1 ? 0 : (j != 1 ? 1 : 2);
+            int side = axis == 0 ? i : (axis == 1 ? j : l);
+            float steep = (side == 0 ? 6.0f : -6.0f) * b.bump[axis] / m[axis];
+            vec2 light = ramp_light(steep, q[axis], spread, n_light, vec2(to_light[axis], to_sky[axis]), 1.0f - p.normal[axis] * p.normal[axis]);
+            lights = lights + vec3(light.x, light.y, 1.0f) * weight;
+        } else {
+            vec3 height = vec3(ramp_height(q.x, i), ramp_height(q.y, j), ramp_height(q.z, l));
+            vec3 slope = vec3(ramp_slope(q.x, m.x, i), ramp_slope(q.y, m.y, j), ramp_slope(q.z, m.z, l));
+            vec3 n = bumped(p.normal, bump_gradient(b, slope, height));
+            lights = lights + vec3(facing(n, lit.to_light), dot(n, lit.up), 1.0f) * weight;
+        }
     }
     if (matte)
         sum = sum + b.mortar * (lit.light * (lights.x / BRDF_PI) + lit.below * lights.z + (lit.above - lit.below) * (0.5f * (lights.z + lights.y)));

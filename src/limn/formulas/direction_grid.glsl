@@ -22,6 +22,18 @@ FORMULA vec2 fold_octahedron(const vec2 p)
     return vec2(x, y);
 }
 
+// The turn from z to x as a part of a whole one, in [0, 1]: arctangent by the odd polynomial of degree 15 with the least greatest error, 6e-9.
+FORMULA float turn_of(const float x, const float z)
+{
+    float far = max(abs(x), abs(z));
+    float a = far > 0.0f ? min(abs(x), abs(z)) / far : 0.0f;
+    float q = a * a;
+    float eighth = a * (0.159154837f + q * (-0.053046121f + q * (0.0317459452f + q * (-0.0221362715f + q * (0.0153460338f + q * (-0.00889872337f + q * (0.00347959795f - 0.000645304452f * q)))))));
+    float quarter = abs(x) > abs(z) ? 0.25f - eighth : eighth;
+    float half_turn = z < 0.0f ? 0.5f - quarter : quarter;
+    return x < 0.0f ? 1.0f - half_turn : half_turn;
+}
+
 // The place of a unit direction, in [0, 1].
 FORMULA vec2 place_of_direction(const int kind, const vec3 d)
 {
@@ -31,10 +43,8 @@ FORMULA vec2 place_of_direction(const int kind, const vec3 d)
             p = fold_octahedron(p);
         return clamp(p * 0.5f + vec2(0.5f, 0.5f), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
     }
-    float turn = atan(d.x, d.z) / (2.0f * GRID_PI);
-    float t = turn < 0.0f ? turn + 1.0f : turn;
-    float s = kind == POLAR_GRID ? atan(length(vec2(d.x, d.z)), d.y) / GRID_PI : 0.5f - 0.5f * d.y;
-    return clamp(vec2(s, t), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
+    float s = kind == POLAR_GRID ? 2.0f * turn_of(length(vec2(d.x, d.z)), d.y) : 0.5f - 0.5f * d.y;
+    return clamp(vec2(s, turn_of(d.x, d.z)), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
 }
 
 // The frame of the map at a place. Its axes are those of the sphere, right along phi and up against theta.

@@ -15,6 +15,9 @@
 
 namespace limn::formulas {
 using namespace glm; // the formulas use GLSL's names unqualified
+using glm::cos; // and mean these, whatever else of the name there is in limn
+using glm::exp;
+using glm::sin;
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/brdf.glsl"
 #include "limn/formulas/bricks.glsl"
@@ -26,6 +29,8 @@ using namespace glm; // the formulas use GLSL's names unqualified
 #include "limn/formulas/lcg.glsl"
 #include "limn/formulas/map_rank.glsl"
 #include "limn/formulas/normal_map.glsl"
+#include "limn/formulas/pattern_eye.glsl"
+#include "limn/formulas/pattern_picture.glsl"
 #include "limn/formulas/pattern_point.glsl"
 #include "limn/formulas/periodic_blur.glsl"
 #include "limn/formulas/print_layers.glsl"

@@ -7,25 +7,39 @@ const int KERNEL_NONE = 0;  // what is at the pixel's centre
 const int KERNEL_BOX = 1;   // a square of so many pixels
 const int KERNEL_GAUSS = 2; // round, of so many pixels' standard deviation
 
+const float NARROW_GAUSS = 0.125f; // standard deviation up to which a kernel meets one tooth, and beyond which no wave is left; periods
+const float WIDEST_GAUSS = 0.9f;
+
 // A kernel along a coordinate that counts periods.
 struct Blur {
     int kernel;
-    float a; // box: changes across the square, the larger first; Gauss: standard deviation; periods
+    float a;    // box: changes across the square, the larger first; Gauss: standard deviation; periods
     float b;
+    float fade; // Gauss: what is left of a wave of one period, where the kernel is so wide that waves are added up; else 0
 };
+
+// What a Gauss kernel leaves of a wave of one period.
+FORMULA float gauss_fade(const float sigma)
+{
+    return exp(-19.7392088022f * sigma * sigma);
+}
+
+// From the changes across a square, the larger first, or a standard deviation and 0; in periods.
+FORMULA Blur blur_of(const int kernel, const float a, const float b)
+{
+    Blur blur = {a < 1e-5f ? KERNEL_NONE : kernel, a, b, 0.0f};
+    if (kernel == KERNEL_GAUSS && a > NARROW_GAUSS && a <= WIDEST_GAUSS)
+        blur.fade = gauss_fade(a);
+    return blur;
+}
 
 // How a kernel of a width in pixels smears a coordinate that changes so much for each pixel to the right and down.
 FORMULA Blur blur_along(const int kernel, const float width, const vec2 per_pixel)
 {
     vec2 s = min(abs(per_pixel) * width, vec2(1e4f, 1e4f));
-    Blur blur = {kernel, max(s.x, s.y), min(s.x, s.y)};
-    if (kernel == KERNEL_GAUSS) {
-        blur.a = sqrt(dot(s, s));
-        blur.b = 0.0f;
-    }
-    if (blur.a < 1e-5f)
-        blur.kernel = KERNEL_NONE;
-    return blur;
+    if (kernel == KERNEL_GAUSS)
+        return blur_of(kernel, sqrt(dot(s, s)), 0.0f);
+    return blur_of(kernel, max(s.x, s.y), min(s.x, s.y));
 }
 
 // Variance of the kernel, periods squared.
@@ -57,29 +71,37 @@ FORMULA vec2 narrow_gauss_saw(const float x, const float sigma)
     return vec2(off + 0.5f - below, off * off + sigma * sigma + 1.0f / 6.0f - distance_mean);
 }
 
-// The Fourier series, of which a wide kernel leaves few terms.
-FORMULA vec2 wide_gauss_saw(const float x, const float sigma)
+// Sine and cosine of x turns.
+FORMULA vec2 turn_of(const float x)
 {
-    if (sigma > 0.9f)
-        return vec2(0.0f, 0.0f);
-    float turn = 6.28318530718f * (x - floor(x));
-    float s1 = sin(turn);
-    float c1 = cos(turn);
-    float q = exp(-19.7392088022f * sigma * sigma);
-    float q2 = q * q;
-    float s = s1; // of k turns
-    float c = c1;
-    float fade = q;  // q^(k k)
-    float step_of_fade = q * q2;
+    float angle = 6.28318530718f * (x - floor(x));
+    return vec2(sin(angle), cos(angle));
+}
+
+// The same of the sum of both.
+FORMULA vec2 turn_sum(const vec2 a, const vec2 b)
+{
+    return vec2(a.x * b.y + a.y * b.x, a.y * b.y - a.x * b.x);
+}
+
+// And of the difference.
+FORMULA vec2 turn_difference(const vec2 a, const vec2 b)
+{
+    return vec2(a.x * b.y - a.y * b.x, a.y * b.y + a.x * b.x);
+}
+
+// The Fourier series, of which a wide kernel leaves few terms: by the turn of x, and by what is left of the first wave.
+FORMULA vec2 wide_gauss_saw(const vec2 turn, const float fade_of_first)
+{
+    float q2 = fade_of_first * fade_of_first;
+    vec2 all = turn; // of k turns
+    float fade = fade_of_first; // its k^2-th power
+    float step_of_fade = fade_of_first * q2;
     vec2 sum = vec2(0.0f, 0.0f);
-    for (int k = 1; k <= 6; ++k) {
-        if (fade < 1e-7f)
-            break;
+    for (int k = 1; k <= 6; ++k) { // a fixed number: devices take it apart
         float kk = float(k);
-        sum = sum + vec2(-s / (3.14159265359f * kk), c / (9.86960440109f * kk * kk)) * fade;
-        float next = s * c1 + c * s1;
-        c = c * c1 - s * s1;
-        s = next;
+        sum = sum + vec2(-all.x / (3.14159265359f * kk), all.y / (9.86960440109f * kk * kk)) * fade;
+        all = turn_sum(all, turn);
         fade = fade * step_of_fade;
         step_of_fade = step_of_fade * q2;
     }
@@ -129,14 +151,19 @@ FORMULA vec2 wide_box_saw(const float x, const float a, const float b)
     return (saw_integral_2(x + outer) - saw_integral_2(x + inner) - saw_integral_2(x - inner) + saw_integral_2(x - outer)) / (a * b);
 }
 
-// Saw and parabola at x through the kernel.
-FORMULA vec2 blurred_saw(const float x, const Blur blur)
+// Saw and parabola at x through the kernel. `turn` is turn_of(x); it is not looked at where the kernel has no fade.
+FORMULA vec2 blurred_saw_turned(const float x, const vec2 turn, const Blur blur)
 {
     if (blur.kernel == KERNEL_NONE)
         return sharp_saw(x);
     if (blur.kernel == KERNEL_GAUSS)
-        return blur.a <= 0.125f ? narrow_gauss_saw(x, blur.a) : wide_gauss_saw(x, blur.a);
+        return blur.a <= NARROW_GAUSS ? narrow_gauss_saw(x, blur.a) : wide_gauss_saw(turn, blur.fade);
     return blur.a + blur.b <= 1.0f ? narrow_box_saw(x, blur.a, blur.b) : wide_box_saw(x, blur.a, blur.b);
+}
+
+FORMULA vec2 blurred_saw(const float x, const Blur blur)
+{
+    return blurred_saw_turned(x, blur.fade > 0.0f ? turn_of(x) : vec2(0.0f, 0.0f), blur);
 }
 
 // How much of the kernel at x lies where the phase is within `length` after `start`, in every period.

@@ -9,6 +9,7 @@ const int LAYERS_SEED = 0;  // literal: the share of treads is that of the line 
 const int LAYERS_SOFT = 1;  // literal with the seed's smoothstep
 const int LAYERS_SLOPE = 2; // flat treads and risers
 const int LAYERS_BEAD = 3;  // risers bulge
+const int LAYERS_VOXEL = 4; // the seed's along two axes: blocks
 
 struct LayerPattern {
     int model;
@@ -17,6 +18,8 @@ struct LayerPattern {
     float soft_high;
     float bulge;    // of beads: how far they stand out, by half their height; above 0
     float variety;  // how much layers differ in colour, in [0,1]
+    vec3 across;    // of blocks: their other axis, unit, and their size along it
+    float block;
 };
 
 // Where a point lies in the stack.
@@ -24,6 +27,13 @@ struct LayerPlace {
     float at;      // counts layers, from the lowest
     float height;  // of its layer
     vec2 change;   // of `at`, for a pixel to the right and down
+};
+
+// A stack: layers of heights of their own, and above them layers of one height.
+struct LayerRow {
+    float bottom; // of the lowest
+    float height; // of all above the first `count`
+    int count;
 };
 
 // The share of a layer, from below or above, that the seed shows as a tread; sight is the component of the unit line of sight along `up`.
@@ -42,12 +52,27 @@ FORMULA float seed_tread(const LayerPattern s, const LayerPlace place, const flo
     return s.model == LAYERS_SOFT ? smoothstep(s.soft_low, s.soft_high, gap) : step(0.0f, gap);
 }
 
+// What replaces the component of a normal along an axis.
+FORMULA float signed_tread(const float along, const float tread)
+{
+    return along == 0.0f ? 0.0f : (along < 0.0f ? -tread : tread);
+}
+
 // The seed's normal: its component along `up` is replaced. A riser keeps the normal where nothing else is left of it.
 FORMULA vec3 seed_layer_normal(const vec3 n, const vec3 up, const float tread)
 {
     float along = dot(n, up);
-    float signed_tread = along == 0.0f ? 0.0f : (along < 0.0f ? -tread : tread);
-    vec3 bent = n + up * (signed_tread - along);
+    vec3 bent = n + up * (signed_tread(along, tread) - along);
+    float size = dot(bent, bent);
+    return size < 1e-12f ? n : bent * inversesqrt(size);
+}
+
+// The same along two axes at once.
+FORMULA vec3 block_normal(const vec3 n, const vec3 up, const vec3 across, const float tread, const float side_tread)
+{
+    float along = dot(n, up);
+    float aside = dot(n, across);
+    vec3 bent = n + up * (signed_tread(along, tread) - along) + across * (signed_tread(aside, side_tread) - aside);
     float size = dot(bent, bent);
     return size < 1e-12f ? n : bent * inversesqrt(size);
 }
@@ -240,6 +265,31 @@ FORMULA vec3 soft_radiance(const LayerPattern s, const Finish f, const PatternPo
     return risers > 1e-4f ? sum + risers * layer_state(s, f, p, 0.0f, 0.0f, lit) : sum;
 }
 
+// How much of a kernel the seed shows as treads. `eye_along` is the component of the direction to the eye along their axis.
+FORMULA float seed_treads(const float at, const float eye_along, const Blur blur)
+{
+    float share = abs(eye_along);
+    return blurred_pulse(at, eye_along > 0.0f ? 0.0f : 1.0f - share, share, blur);
+}
+
+// Radiance of blocks: treads and risers of two axes, each of the four pairs shaded once.
+FORMULA vec3 block_radiance(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const int kernel, const float width, const Illumination lit)
+{
+    Blur across_blur = blur_along(kernel, width, change_per_pixel(p, s.across) / s.block);
+    float treads = seed_treads(place.at, dot(p.to_eye, s.up), blur_along(kernel, width, place.change));
+    float sides = seed_treads(dot(p.position, s.across) / s.block, dot(p.to_eye, s.across), across_blur);
+    vec3 t = abs(dot(p.normal, s.up)) < 0.999f ? normalize(cross(s.up, p.normal)) : s.across;
+    vec3 sum = vec3(0.0f, 0.0f, 0.0f);
+    for (int k = 0; k < 4; ++k) {
+        float tread = k < 2 ? 1.0f : 0.0f;
+        float side = k == 0 || k == 2 ? 1.0f : 0.0f;
+        float share = (k < 2 ? treads : 1.0f - treads) * (side > 0.5f ? sides : 1.0f - sides);
+        if (share > 1e-4f)
+            sum = sum + share * reflected(f, block_normal(p.normal, s.up, s.across, tread, side), t, p.to_eye, 0.0f, lit);
+    }
+    return sum;
+}
+
 // Radiance of a pixel. With KERNEL_NONE: of the point itself.
 FORMULA vec3 layers_through(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const int kernel, const float width, const Illumination lit)
 {
@@ -247,6 +297,8 @@ FORMULA vec3 layers_through(const LayerPattern s, const Finish f, const PatternP
     Finish own = layer_finish(s, f, place, blur);
     if (s.model == LAYERS_BEAD)
         return bead_radiance(s, own, p, place, blur, lit);
+    if (s.model == LAYERS_VOXEL)
+        return block_radiance(s, own, p, place, kernel, width, lit);
     float eye_up = dot(p.to_eye, s.up);
     if (s.model == LAYERS_SOFT && blur.kernel != KERNEL_NONE && abs(eye_up) > 1e-3f)
         return soft_radiance(s, own, p, place, -eye_up, blur, lit);

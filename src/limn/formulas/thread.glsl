@@ -99,12 +99,10 @@ FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const i
     float crossing = upright * level;
     float over = 1.0f; // share of the crossings where the level thread is above
     if (c.woven != 0) {
-        along_u.a = 0.5f * along_u.a;
-        along_u.b = 0.5f * along_u.b;
-        along_v.a = 0.5f * along_v.a;
-        along_v.b = 0.5f * along_v.b;
-        float u = 2.0f * blurred_pulse(0.5f * at.x, -0.5f * m, m, along_u) - upright; // even less odd
-        float v = 2.0f * blurred_pulse(0.5f * at.y, -0.5f * m, m, along_v) - level;
+        Blur pairs_u = blur_of(kernel, 0.5f * along_u.a, 0.5f * along_u.b);
+        Blur pairs_v = blur_of(kernel, 0.5f * along_v.a, 0.5f * along_v.b);
+        float u = 2.0f * blurred_pulse(0.5f * at.x, -0.5f * m, m, pairs_u) - upright; // even less odd
+        float v = 2.0f * blurred_pulse(0.5f * at.y, -0.5f * m, m, pairs_v) - level;
         over = crossing > 1e-6f ? clamp(0.5f + 0.5f * u * v / crossing, 0.0f, 1.0f) : 0.5f;
     }
     ThreadPattern seen = c; // what the sphere turns within the kernel widens highlights
@@ -118,4 +116,17 @@ FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const i
     if (upright_share > 1e-4f)
         sum = sum + upright_share * thread_lit(seen, upright_tangent(n), p.normal, p.to_eye, lit);
     return vec4(sum, level_share + upright_share);
+}
+
+// Cloth laid on any surface from a middle out: p as the surface has it.
+FORMULA vec4 thread_around(const ThreadPattern c, const vec3 centre, const PatternPoint p, const int kernel, const float width, const Illumination lit)
+{
+    PatternPoint on = p;
+    vec3 out_of = p.position - centre;
+    float away = length(out_of);
+    on.position = out_of / away;
+    on.right = p.right / away;
+    on.down = p.down / away;
+    on.normal = dot(on.position, p.to_eye) < 0.0f ? -on.position : on.position; // of the side that is seen
+    return thread_through(c, on, kernel, width, lit);
 }

@@ -190,6 +190,23 @@ bool hardware_is_present()
     return false;
 }
 
+std::optional<Context> wanted_context(const std::string& device, const std::function<void(const std::string& line)>& say)
+{
+    if (device == "cpu" || (device == "auto" && !hardware_is_present()))
+        return std::nullopt;
+    try {
+        Context context;
+        if (device == "auto" && context.info().software)
+            return std::nullopt; // the processor is faster without its detour
+        return context;
+    } catch (const Error::Device& error) {
+        if (device != "auto")
+            throw;
+        say(std::string(error.what()) + "; the processor is used");
+        return std::nullopt;
+    }
+}
+
 void check_errors(const char* what)
 {
     glFinish();

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace limn::gpu {
@@ -38,6 +39,12 @@ private:
 /// Whether the machine shows a graphics card to this process, by its device files: without one, opening a context only to find the
 /// software renderer would cost a tenth of a second.
 bool hardware_is_present();
+
+/// The context that a user asks for: "cpu" for none; "gpu" for any driver's, Mesa's software renderer too; "auto" for that of a graphics card, where there
+/// is one that works.
+/// @param say  hears in one line why "auto" finds none that works, where there is a card
+/// @throws Error::Device where "gpu" was asked for and there is no driver
+std::optional<Context> wanted_context(const std::string& device, const std::function<void(const std::string& line)>& say);
 
 /// Waits for all submitted work and throws what went wrong since the last call.
 /// @throws Error::Device with the first OpenGL error's name and `what` was going on.

@@ -72,6 +72,7 @@ void Buffer::read_bytes(std::size_t offset, std::size_t bytes, void* data) const
 }
 
 void Buffer::bind_storage(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
+void Buffer::bind_uniforms(unsigned binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }
 
 std::size_t storage_bytes(std::size_t count, std::size_t size, const char* what)
 {
@@ -185,6 +186,23 @@ void Framebuffer::clear_depth(float value) const { glClearNamedFramebufferfv(nam
 std::vector<vec4> Framebuffer::read_floats(int index) const { return read_texture<vec4>(colour(index), size_, GL_RGBA, GL_FLOAT); }
 std::vector<unsigned> Framebuffer::read_unsigned(int index) const { return read_texture<unsigned>(colour(index), size_, GL_RED_INTEGER, GL_UNSIGNED_INT); }
 std::vector<float> Framebuffer::read_depth() const { return read_texture<float>(depth_, size_, GL_DEPTH_COMPONENT, GL_FLOAT); }
+
+DrawnQuery::DrawnQuery()
+{
+    unsigned id = 0;
+    glCreateQueries(GL_ANY_SAMPLES_PASSED, 1, &id);
+    name_ = Name<delete_query>(id);
+}
+
+void DrawnQuery::start() const { glBeginQuery(GL_ANY_SAMPLES_PASSED, name_.id()); }
+void DrawnQuery::stop() const { glEndQuery(GL_ANY_SAMPLES_PASSED); }
+
+bool DrawnQuery::anything() const
+{
+    GLuint any = 0;
+    glGetQueryObjectuiv(name_.id(), GL_QUERY_RESULT, &any);
+    return any != 0;
+}
 
 Timer::Timer()
 {

@@ -60,6 +60,8 @@ public:
     }
     /// As shader storage at a binding point.
     void bind_storage(unsigned binding) const;
+    /// As a block of uniforms at a binding point.
+    void bind_uniforms(unsigned binding) const;
 
 private:
     void read_bytes(std::size_t offset, std::size_t bytes, void* data) const;
@@ -135,6 +137,18 @@ private:
     std::vector<Texture> colours_;
     Texture depth_;
     Name<delete_framebuffer> name_;
+};
+
+/// Tells whether anything was drawn between two moments.
+class DrawnQuery {
+public:
+    DrawnQuery();
+    void start() const;
+    void stop() const;
+    bool anything() const; ///< waits for the device
+
+private:
+    Name<delete_query> name_;
 };
 
 /// Time on the device between two moments. (Two time stamps: Mesa's software renderer measures nonsense as the time elapsed

@@ -7,9 +7,6 @@
 
 namespace limn {
 
-/// How far the steps of a print stand out of the model: a layer's height times the cosine between surface and print direction (Dolenc and Mäkelä 1994).
-inline float cusp_height(float layer_height, float normal_along) { return layer_height * (normal_along < 0 ? -normal_along : normal_along); }
-
 /// Colour (encoded) for a share in [0,1] of the most: from blue over green and yellow to red, lighter all the way to yellow.
 vec3 cusp_colour(float share);
 

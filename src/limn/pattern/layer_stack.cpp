@@ -8,7 +8,20 @@
 
 #include "limn/base/error.h"
 
+// The shared text needs the dialect's word once more, inside of a struct.
+#define FORMULA inline
+
 namespace limn {
+namespace formulas {
+
+struct LayerTops {
+    const float* tops;
+    float layer_top(int k) const { return tops[k]; }
+#include "limn/formulas/layer_table.glsl"
+};
+
+} // namespace formulas
+
 namespace {
 
 void check_height(double height)
@@ -51,27 +64,11 @@ LayerStack LayerStack::scaled(double factor, double shift) const
     return stack;
 }
 
-double LayerStack::layers_below(double at) const
-{
-    const float h = float(at);
-    const std::size_t k = std::size_t(std::upper_bound(tops_.begin(), tops_.end(), h) - tops_.begin());
-    const float low = k == 0 ? bottom_ : tops_[k - 1];
-    const float height = k < tops_.size() ? tops_[k] - low : height_;
-    return double(k) + double(h - low) / double(height);
-}
+double LayerStack::layers_below(double at) const { return double(formulas::LayerTops{tops_.data()}.layers_below(row(), float(at))); }
 
 formulas::LayerPlace LayerStack::place(float at, const vec2& change, float width) const
 {
-    if (tops_.empty())
-        return {(at - bottom_) / height_, height_, change / height_};
-    const std::size_t k = std::size_t(std::upper_bound(tops_.begin(), tops_.end(), at) - tops_.begin());
-    const float low = k == 0 ? bottom_ : tops_[k - 1];
-    const float own = k < tops_.size() ? tops_[k] - low : height_;
-    const float reach = width * glm::length(change);
-    float mean = own;
-    if (reach > 0.25f * own && std::isfinite(reach)) // the mean over what the kernel sees
-        mean = 2 * reach / std::max(float(layers_below(double(at) + double(reach)) - layers_below(double(at) - double(reach))), 1e-6f);
-    return {float(k) + (at - low) / own, own, change / mean};
+    return formulas::LayerTops{tops_.data()}.layer_place(row(), at, change, width);
 }
 
 std::vector<double> layer_heights_from_text(std::string_view text, const std::string& name)

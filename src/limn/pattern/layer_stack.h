@@ -29,6 +29,10 @@ public:
     /// How many layers reach up to a height; fractions count.
     double layers_below(double at) const;
 
+    /// The same as formulas and devices have it: `row`, and where its layers end.
+    formulas::LayerRow row() const { return {bottom_, height_, int(tops_.size())}; }
+    const std::vector<float>& tops() const { return tops_; }
+
 private:
     std::vector<float> tops_; ///< of the layers that differ from those above, lowest first
     float bottom_ = 0, height_ = 0; ///< height of all above

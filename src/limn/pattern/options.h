@@ -17,6 +17,7 @@ enum class LayerModel : std::uint8_t {
     slope, ///< the same with flat edges
     seed,  ///< the share of treads is that of the line of sight, as the seed's study has it
     soft,  ///< the same with its smoothstep
+    voxel, ///< the same along two axes: blocks
 };
 
 /// How a pixel sees what is finer than it.
@@ -61,6 +62,7 @@ struct PatternOptions {
     double brick_width = 0.1, brick_height = 0.032, brick_depth = 0.038, mortar = 0.004, brick_relief = 0.0012;
     vec3 brick_colour = vec3(0.66f, 0.32f, 0.22f), mortar_colour = vec3(0.75f, 0.73f, 0.7f);
     bool brick_solid = true;            ///< carved out of a block; else a wall in x and y, seen through
+    bool brick_bond = true;             ///< of solid ones: every other row is shifted on all sides; else in x alone, as the study has it
 
     double hole = 0.012, thread = 0.008;
     vec3 thread_colour = vec3(0.25f, 0.42f, 0.65f);

@@ -46,13 +46,7 @@ struct ThreadShader {
 
     vec4 at(const formulas::PatternPoint& p, int kernel, float width, float share = 1) const
     {
-        formulas::PatternPoint on = p;
-        on.position = glm::normalize(p.position - centre);
-        const float away = glm::length(p.position - centre);
-        on.right = p.right / away;
-        on.down = p.down / away;
-        on.normal = glm::dot(on.position, p.to_eye) < 0 ? -on.position : on.position; // of the side that is seen
-        return formulas::thread_through(pattern, on, kernel, width, light.at(p.position, share));
+        return formulas::thread_around(pattern, centre, p, kernel, width, light.at(p.position, share));
     }
 };
 

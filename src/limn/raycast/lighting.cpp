@@ -112,8 +112,9 @@ vec3 Lighting::colour_from_shape(const LitPlace& at, const PixelSequence& sequen
     in_groups(range, look_there, place, [&](float tone) {
         const vec3 colour = at.tones.at(tone) * float(steps);
         for (int c = 0; c < 3; ++c) {
-            const float step = std::floor(glm::clamp(colour[c], 0.0f, float(steps - 1)));
-            more[c] += glm::mix(linear_[std::size_t(step)], linear_[std::size_t(step) + 1], colour[c] - step) - dark[c];
+            const int step = int(glm::clamp(colour[c], 0.0f, float(steps - 1)));
+            const float* entry = &linear_[std::size_t(step)];
+            more[c] += entry[0] + (entry[1] - entry[0]) * (colour[c] - float(step)) - dark[c];
         }
     });
     return encoded(dark + more / float(range.count));

@@ -105,7 +105,7 @@ vec3 BeadShader::floor(const PatternPoint& seen, const BeadShape& shape, const F
     PatternPoint point = seen;
     point.normal = seen.normal.z < 0 ? -up : up;
     const float spacing = spacing_of(shape), flat = glm::clamp(2 * shape.flat() / spacing, 0.0f, 1.0f);
-    const LayerPattern side_by_side = {LAYERS_BEAD, shape.aside(), 0, 0, 1, 0};
+    const LayerPattern side_by_side = {LAYERS_BEAD, shape.aside(), 0, 0, 1, 0, vec3(0), 1};
     const float at = glm::dot(point.position - shape.middle(), shape.aside()) / spacing + 0.5f;
     const vec3 grooves =
         layers_through(side_by_side, finish, point, {at, spacing, change_per_pixel(point, shape.aside()) / spacing}, kernel_, width_, lit);
@@ -119,7 +119,7 @@ vec3 BeadShader::filtered(const SeenBead& seen, const vec3& surface, const vec3&
     Finish finish = finish_;
     finish.colour = colour;
     const Illumination lit = light_.at(p.position, share);
-    const LayerPattern layers = {LAYERS_BEAD, up, 0, 0, std::min(1.0f, shape.width() / shape.height()), variety_};
+    const LayerPattern layers = {LAYERS_BEAD, up, 0, 0, std::min(1.0f, shape.width() / shape.height()), variety_, vec3(0), 1};
     const float at = float(move(seen).layer) + 0.5f + (p.position.z - shape.middle().z) / shape.height();
     const vec3 steps =
         layers_through(layers, finish, p, {at, shape.height(), change_per_pixel(p, up) / shape.height()}, kernel_, width_, lit);

@@ -31,7 +31,7 @@ PatternLight pattern_light(const dvec3& centre, double scale, const Camera& came
         else if (const auto* rectangle = std::get_if<RectangleLight>(&*shade.wide))
             lamp = rectangle->centre;
         else
-            throw Error::Input("environments light plain materials so far; give layers, bricks and thread another light");
+            throw Error::Input("environments light models so far, not prints from their G-code; give another light");
     }
     if (lamp) {
         light.place = vec3((*lamp - centre) / scale);
@@ -72,15 +72,6 @@ Finish print_finish(const PatternOptions& options)
                       : options.reflection == PatternReflection::blinn_phong ? FINISH_BLINN_PHONG
                                                                              : FINISH_MATTE;
     return {model, linear_colour(colour), float(options.specular), float(options.exponent), 1, 1, 0};
-}
-
-vec3 shown(const vec3& linear)
-{
-    constexpr float knee = 0.8f;
-    vec3 c;
-    for (int k = 0; k < 3; ++k)
-        c[k] = linear[k] < knee ? linear[k] : 1 - (1 - knee) * std::exp(-(linear[k] - knee) / (1 - knee));
-    return c;
 }
 
 } // namespace limn

@@ -11,7 +11,7 @@
 namespace limn {
 
 /// The light of a picture of a pattern in the frame (world - centre) / scale: that of `shade`, or a studio's, wide, from the upper left before
-/// the object. @param up  of the world, unit  @throws Error::Input for environments, which light plain materials so far
+/// the object. @param up  of the world, unit  @throws Error::Input for environments, which are many lights
 PatternLight pattern_light(const dvec3& centre, double scale, const Camera& camera, const ShadeOptions& shade, const dvec3& up);
 
 /// How much of the light nothing hides from a place, by some of its places; each pixel turns them its own way.
@@ -20,8 +20,5 @@ float light_share(const Occlusion& occlusion, const PatternLight& light, std::sp
 
 /// How the filament of a print reflects, or what is asked for instead of it.
 formulas::Finish print_finish(const PatternOptions& options);
-
-/// Light as a picture shows it: bright places near white without a hard edge. Linear still.
-vec3 shown(const vec3& linear);
 
 } // namespace limn

@@ -3,6 +3,7 @@
 #include "limn/base/error.h"
 #include "limn/gpu/field_view.h"
 #include "limn/gpu/lit_view.h"
+#include "limn/gpu/pattern_view.h"
 #include "limn/gpu/surface_view.h"
 
 namespace limn {
@@ -56,6 +57,12 @@ Image shader_lines_on_processor(const SeenModel& model, const Camera& camera, co
 /// What the device has no way to compute.
 bool asks_for_visibility(const ShadeOptions& options) { return options.wide || options.occlusion || options.open_radius; }
 
+/// The same of patterns, for which most lights with a size are one that is wide.
+bool asks_for_visibility_of_patterns(const ShadeOptions& options)
+{
+    return options.occlusion || options.open_radius || (options.wide && std::holds_alternative<EnvironmentLight>(*options.wide));
+}
+
 /// What the device keeps of a model, made when it is first needed.
 struct PixelPainter::OnGpu {
     explicit OnGpu(const SeenModel& of) : model(of.lines), loops(of.loops) {}
@@ -65,12 +72,21 @@ struct PixelPainter::OnGpu {
     std::optional<gpu::FieldRenderer> fields;
     std::optional<gpu::ImageLineFinder> finder;
     std::optional<gpu::SurfaceRenderer> surface;
+    std::optional<gpu::PatternRenderer> patterns;
 
     Image shaded(const Camera& camera, const PixelOptions& options)
     {
         if (!lit)
             lit.emplace(model, gpu_tile, loops ? loops->mapped_normals() : MappedNormals());
         return lit->render(camera, options.shade);
+    }
+    /// Where normals come from maps, patterns are not drawn on the device.
+    bool has_patterns() const { return !loops || loops->mapped_normals().empty(); }
+    Image patterned(const SeenScene& scene, const Camera& camera, const PixelOptions& options)
+    {
+        if (!patterns)
+            patterns.emplace(model, gpu_tile);
+        return patterns->render(camera, compose_pattern(scene, options.pattern, options.place, options.shade, pattern_lights(scene, camera, options.shade, options.place)));
     }
     Image filtered(const Camera& camera, const PixelOptions& options)
     {
@@ -88,21 +104,7 @@ struct PixelPainter::OnGpu {
     }
 };
 
-PixelPainter::PixelPainter(const std::string& device, Say say) : say_(std::move(say))
-{
-    may_fall_back_ = device == "auto";
-    if (device == "cpu" || (device == "auto" && !gpu::hardware_is_present()))
-        return;
-    try {
-        context_.emplace();
-        if (device == "auto" && context_->info().software)
-            context_.reset(); // the processor is faster without its detour
-    } catch (const Error::Device& error) {
-        if (!may_fall_back_)
-            throw;
-        say_(std::string(error.what()) + "; the processor is used");
-    }
-}
+PixelPainter::PixelPainter(const std::string& device, Say say) : say_(std::move(say)), may_fall_back_(device == "auto"), context_(gpu::wanted_context(device, say_)) {}
 
 PixelPainter::~PixelPainter() = default;
 
@@ -122,16 +124,32 @@ Image PixelPainter::paint(const SeenModel& model, const Camera& camera, const Pi
     }
 }
 
+bool PixelPainter::uses_gpu(bool can) const
+{
+    if (context_ && !can && !may_fall_back_)
+        throw Error::Input("--device gpu: shadows, lights with a size and --ao are computed on the processor; leave the option out");
+    return context_ && can;
+}
+
+Image PixelPainter::lit(const SeenModel& model, const Camera& camera, const PixelOptions& options)
+{
+    return uses_gpu(!asks_for_visibility(options.shade)) ? on_gpu_->shaded(camera, options) : lit_on_processor(model, camera, options);
+}
+
+Image PixelPainter::patterned(const SeenModel& model, const Camera& camera, const PixelOptions& options)
+{
+    if (context_ && !may_fall_back_ && !on_gpu_->has_patterns())
+        throw Error::Input("--device gpu: patterns on control meshes with normals in maps are computed on the processor; leave the option out");
+    if (uses_gpu(!asks_for_visibility_of_patterns(options.shade)) && on_gpu_->has_patterns())
+        return on_gpu_->patterned(model.scene, camera, options);
+    return paint_pattern(model.scene, camera, options.pattern, options.place, options.shade);
+}
+
 Image PixelPainter::paint_once(const SeenModel& model, const Camera& camera, const PixelOptions& options)
 {
     if (context_ && (!on_gpu_ || &on_gpu_->model != &model.lines))
         on_gpu_ = std::make_unique<OnGpu>(model);
-    const bool lights_on_gpu = context_ && !asks_for_visibility(options.shade);
-    if (context_ && !lights_on_gpu && !may_fall_back_)
-        throw Error::Input("--device gpu: shadows, lights with a size and --ao are computed on the processor; leave the option out");
-    Image picture = options.pattern.kind != PatternKind::plain ? paint_pattern(model.scene, camera, options.pattern, options.place, options.shade)
-                    : lights_on_gpu                             ? on_gpu_->shaded(camera, options)
-                                                                : lit_on_processor(model, camera, options);
+    Image picture = options.pattern.kind == PatternKind::plain ? lit(model, camera, options) : patterned(model, camera, options);
     const Camera fine = finer_camera(camera);
     if (options.image_lines.method != ImageMethod::off)
         lay_over(picture, context_ ? on_gpu_->filtered(fine, options) : filtered_on_processor(model, fine, options), options.ink);

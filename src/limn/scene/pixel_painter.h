@@ -29,7 +29,7 @@ struct PixelOptions {
     ImageLineOptions image_lines;
     ShaderLineOptions shader_lines;
     vec3 ink = vec3(0); ///< colour of such lines
-    PatternOptions pattern = {}; ///< where it is not plain, surfaces are made of it instead of their materials; on the processor so far
+    PatternOptions pattern = {}; ///< where it is not plain, surfaces are made of it instead of their materials
     PatternPlace place = {};
 };
 
@@ -50,6 +50,10 @@ public:
     std::string device() const;
 
 private:
+    /// @param can  whether it is able to. @throws Error::Input where it has to and is not
+    bool uses_gpu(bool can) const;
+    Image lit(const SeenModel& model, const Camera& camera, const PixelOptions& options);
+    Image patterned(const SeenModel& model, const Camera& camera, const PixelOptions& options);
     Image paint_once(const SeenModel& model, const Camera& camera, const PixelOptions& options);
 
     Say say_;

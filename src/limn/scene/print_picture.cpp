@@ -5,10 +5,10 @@
 
 #include "limn/base/parallel.h"
 #include "limn/pattern/filament.h"
+#include "limn/pattern/ground_shadow.h"
 #include "limn/pattern/pixel_samples.h"
 #include "limn/scene/bead_shader.h"
 #include "limn/scene/depth_plane.h"
-#include "limn/scene/ground_shadow.h"
 #include "limn/scene/pattern_light.h"
 
 namespace limn {
@@ -253,7 +253,7 @@ private:
         const dvec2 pixel = {x + 0.5, y + 0.5};
         if (!v.seen.hit())
             return backdrop(pixel);
-        return shown(radiance(v.seen, pixel, v, v.bodies < 1 ? colour_around(x, y) : vec3(0), light_places_.size()));
+        return formulas::shown_light(radiance(v.seen, pixel, v, v.bodies < 1 ? colour_around(x, y) : vec3(0), light_places_.size()));
     }
 
     /// The pixel around whose surface holds a place that a ray through this one sees: itself, or a neighbour.
@@ -298,7 +298,7 @@ private:
             ++hits;
         }
         const float all = float(rays.size());
-        return (hits > 0 ? shown(lit / hits) * (hits / all) : vec3(0)) + behind / all;
+        return (hits > 0 ? formulas::shown_light(lit / hits) * (hits / all) : vec3(0)) + behind / all;
     }
 
     const SeenPrint& print_;

@@ -56,29 +56,23 @@ OptionRow<BakeOptions> cells_row()
     return {"cells", "", range, "directions along theta and phi, instead of --maps", set, get, OptionKind::text};
 }
 
-std::string baked_segments(const ShadowCaster& caster, const ShadowMapsInfo& info, const std::function<void(double)>& progress)
+std::string baked_segments(MapPainter& painter, const ShadowMapsInfo& info, const std::function<void(double)>& progress)
 {
     PixelCodec codec(info.texels(), info.margin);
-    bake_maps(
-        caster, info.grid, info.order, info.size,
-        [&](std::uint32_t rank, const DepthLayers& layers) {
-            codec.add(layers);
-            progress(double(rank + 1) / double(info.grid.count()));
-        },
-        info.back);
+    bake_maps(painter, info.grid, info.order, [&](std::uint32_t rank, const DepthLayers& layers) {
+        codec.add(layers);
+        progress(double(rank + 1) / double(info.grid.count()));
+    });
     return stored_bytes(codec.finish());
 }
 
-std::string baked_bricks(const ShadowCaster& caster, const ShadowMapsInfo& info, const std::function<void(double)>& progress)
+std::string baked_bricks(MapPainter& painter, const ShadowMapsInfo& info, const std::function<void(double)>& progress)
 {
     BrickStream stream(info.size, info.grid.cells, info.margin);
-    bake_blocks(
-        caster, info.grid, {brick_s, brick_t}, info.size,
-        [&](std::span<const DepthLayers* const> maps, double part) {
-            stream.add(maps);
-            progress(part);
-        },
-        info.back);
+    bake_blocks(painter, info.grid, {brick_s, brick_t}, [&](std::span<const DepthLayers* const> maps, double part) {
+        stream.add(maps);
+        progress(part);
+    });
     return stream.finish();
 }
 
@@ -120,7 +114,7 @@ DirectionGrid bake_grid(const BakeOptions& options)
     return {options.spread, {std::min(to_nearest(double(options.maps) / across, brick_s), int(most_maps) / across), across}};
 }
 
-ShadowMaps bake_shadow_maps(const Mesh& mesh, const BakeOptions& options, const std::function<void(double)>& progress)
+ShadowMaps bake_shadow_maps(const Mesh& mesh, const BakeOptions& options, const std::function<void(double)>& progress, const MakePainter& make_painter)
 {
     const DirectionGrid grid = bake_grid(options);
     const ShadowCaster caster = make_shadow_caster(mesh);
@@ -134,7 +128,8 @@ ShadowMaps bake_shadow_maps(const Mesh& mesh, const BakeOptions& options, const 
     info.sphere = caster.sphere;
     info.shape = shape_hash(mesh);
     const std::function<void(double)> tell = progress ? progress : [](double) {};
-    const std::string depths = options.codec == ShadowCodec::bricks ? baked_bricks(caster, info, tell) : baked_segments(caster, info, tell);
+    const std::unique_ptr<MapPainter> painter = (make_painter ? make_painter : MakePainter(processor_painter))(caster, info.size, info.back);
+    const std::string depths = options.codec == ShadowCodec::bricks ? baked_bricks(*painter, info, tell) : baked_segments(*painter, info, tell);
     const auto file = std::make_shared<const std::string>(encode_csm(info, depths));
     return {*file, file, "the baked maps"};
 }

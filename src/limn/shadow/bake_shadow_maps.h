@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "limn/base/options.h"
+#include "limn/shadow/map_painter.h"
 #include "limn/shadow/shadow_maps.h"
 
 namespace limn {
@@ -19,6 +20,9 @@ struct BakeOptions {
     OpenBack back = OpenBack::sphere;
 };
 
+/// Makes what draws an object's maps, as processor_painter().
+using MakePainter = std::function<std::unique_ptr<MapPainter>(const ShadowCaster& caster, int size, OpenBack back)>;
+
 /// The options as data.
 const OptionTable<BakeOptions>& bake_option_table();
 
@@ -28,8 +32,9 @@ DirectionGrid bake_grid(const BakeOptions& options);
 
 /// Draws an object from every direction and compresses that, map by map: no more than a few maps are in memory beside what is compressed.
 /// The same bytes for any number of threads.
+/// @param painter   makes what draws the maps of an object; else the processor does
 /// @param progress  is told which part is done, in [0, 1]; baking is given up when it throws
 /// @throws Error::Input for options out of range, a mesh without triangles, or one whose vertices are all in one place or too far from each other
-ShadowMaps bake_shadow_maps(const Mesh& mesh, const BakeOptions& options, const std::function<void(double)>& progress = {});
+ShadowMaps bake_shadow_maps(const Mesh& mesh, const BakeOptions& options, const std::function<void(double)>& progress = {}, const MakePainter& painter = {});
 
 } // namespace limn

@@ -8,7 +8,6 @@ namespace {
 
 constexpr int fraction_bits = map_fraction_bits;
 constexpr std::int32_t one_texel = 1 << fraction_bits, half_texel = one_texel / 2;
-constexpr float same_surface = 1e-6f;
 
 /// A side of a triangle, with the triangle on its left: what it is about a place that moves from middle to middle.
 struct Side {
@@ -36,12 +35,8 @@ void add_depth(float z, float& near, float& far)
 
 } // namespace
 
-DepthPainter::DepthPainter(const ShadowCaster& caster, int size, OpenBack back) : caster_(caster), back_(back), vertices_(caster.x.size())
+BackCloser::BackCloser(int size, OpenBack back) : back_(back)
 {
-    const std::size_t texels = std::size_t(size) * std::size_t(size);
-    layers_.size = size;
-    layers_.near.resize(texels);
-    layers_.far.resize(texels);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const float u = (2 * float(x) + 1) / float(size) - 1, v = (2 * float(y) + 1) / float(size) - 1;
@@ -49,21 +44,34 @@ DepthPainter::DepthPainter(const ShadowCaster& caster, int size, OpenBack back) 
         }
 }
 
-const DepthLayers& DepthPainter::paint(const MapFrame& frame)
+void BackCloser::close(DepthLayers& layers) const
 {
-    std::fill(layers_.near.begin(), layers_.near.end(), no_surface);
-    std::fill(layers_.far.begin(), layers_.far.end(), no_surface);
+    for (std::size_t i = 0; i < layers.near.size(); ++i)
+        if (layers.far[i] == no_surface && layers.near[i] != no_surface)
+            layers.far[i] = back_ == OpenBack::constant ? layers.near[i] + open_thickness : std::max(sphere_exit_[i], layers.near[i] + same_surface);
+}
+
+DepthPainter::DepthPainter(const ShadowCaster& caster, int size, OpenBack back)
+    : caster_(caster), size_(size), closer_(size, back), vertices_(caster.x.size())
+{
+}
+
+void DepthPainter::paint(const MapFrame& frame, DepthLayers& layers)
+{
+    const std::size_t texels = std::size_t(size_) * std::size_t(size_);
+    layers.size = size_;
+    layers.near.assign(texels, no_surface);
+    layers.far.assign(texels, no_surface);
     project(frame);
     find_candidate_triangles(caster_.triangles, vertices_, candidates_);
     for (const std::uint32_t triangle : candidates_)
-        paint(caster_.triangles[triangle]);
-    close_backs();
-    return layers_;
+        paint(caster_.triangles[triangle], layers);
+    closer_.close(layers);
 }
 
 void DepthPainter::project(const MapFrame& frame)
 {
-    const float scale = 0.5f * float(layers_.size) * float(one_texel);
+    const float scale = 0.5f * float(size_) * float(one_texel);
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
         const float x = caster_.x[i], y = caster_.y[i], z = caster_.z[i];
         const float u = frame.right.x * x + frame.right.y * y + frame.right.z * z, v = frame.up.x * x + frame.up.y * y + frame.up.z * z;
@@ -73,11 +81,11 @@ void DepthPainter::project(const MapFrame& frame)
     }
 }
 
-void DepthPainter::paint(const uvec3& triangle)
+void DepthPainter::paint(const uvec3& triangle, DepthLayers& layers) const
 {
     const MapVertex *const a = &vertices_[triangle.x], *const b = &vertices_[triangle.y], *const c = &vertices_[triangle.z];
-    const int low_x = std::max(0, first_texel(std::min({a->u, b->u, c->u}))), high_x = std::min(layers_.size - 1, last_texel(std::max({a->u, b->u, c->u})));
-    const int low_y = std::max(0, first_texel(std::min({a->v, b->v, c->v}))), high_y = std::min(layers_.size - 1, last_texel(std::max({a->v, b->v, c->v})));
+    const int low_x = std::max(0, first_texel(std::min({a->u, b->u, c->u}))), high_x = std::min(size_ - 1, last_texel(std::max({a->u, b->u, c->u})));
+    const int low_y = std::max(0, first_texel(std::min({a->v, b->v, c->v}))), high_y = std::min(size_ - 1, last_texel(std::max({a->v, b->v, c->v})));
     if (low_x > high_x || low_y > high_y)
         return;
     // Twice the areas of the triangles that each side makes with the first middle.
@@ -98,8 +106,8 @@ void DepthPainter::paint(const uvec3& triangle)
         Side at[3] = {sides[0], sides[1], sides[2]};
         for (int x = low_x; x <= high_x; ++x) {
             if (at[0].covers() && at[1].covers() && at[2].covers()) {
-                const std::size_t texel = std::size_t(y) * std::size_t(layers_.size) + std::size_t(x);
-                add_depth(a->z + (float(at[1].value) * to_b + float(at[2].value) * to_c) * share, layers_.near[texel], layers_.far[texel]);
+                const std::size_t texel = std::size_t(y) * std::size_t(size_) + std::size_t(x);
+                add_depth(a->z + (float(at[1].value) * to_b + float(at[2].value) * to_c) * share, layers.near[texel], layers.far[texel]);
             }
             for (Side& s : at)
                 s.value += s.step_u;
@@ -107,13 +115,6 @@ void DepthPainter::paint(const uvec3& triangle)
         for (Side& s : sides)
             s.value += s.step_v;
     }
-}
-
-void DepthPainter::close_backs()
-{
-    for (std::size_t i = 0; i < layers_.near.size(); ++i)
-        if (layers_.far[i] == no_surface && layers_.near[i] != no_surface)
-            layers_.far[i] = back_ == OpenBack::constant ? layers_.near[i] + open_thickness : std::max(sphere_exit_[i], layers_.near[i] + same_surface);
 }
 
 } // namespace limn

@@ -24,28 +24,39 @@ enum class OpenBack {
     constant, ///< open_thickness behind the first
 };
 inline constexpr float open_thickness = 0.01f;
+inline constexpr float same_surface = 1e-6f; ///< two surfaces of an object that are nearer to each other are one
 
-/// Draws maps of one object; keeps its memory from map to map. Two surfaces of an object that are nearer than 1e-6 are one.
+/// Puts in second surfaces where there are none.
+class BackCloser {
+public:
+    /// @param size  texels along a side of the maps
+    BackCloser(int size, OpenBack back);
+    void close(DepthLayers& layers) const;
+
+private:
+    OpenBack back_;
+    std::vector<float> sphere_exit_; ///< by texel
+};
+
+/// Draws maps of one object; keeps its memory from map to map.
 /// A texel's middle on an edge belongs to one of the edge's triangles, so that no surface counts twice (coordinates are rounded to 2^-14 of a
 /// texel for this).
 class DepthPainter {
 public:
     /// @param caster  has to outlive the painter @param size  texels along a side, 1 to 4096
     DepthPainter(const ShadowCaster& caster, int size, OpenBack back = OpenBack::sphere);
-    /// @return valid until the next call
-    const DepthLayers& paint(const MapFrame& frame);
+    /// @param layers  overwritten
+    void paint(const MapFrame& frame, DepthLayers& layers);
 
 private:
     void project(const MapFrame& frame);
-    void paint(const uvec3& triangle);
-    void close_backs();
+    void paint(const uvec3& triangle, DepthLayers& layers) const;
 
     const ShadowCaster& caster_;
-    OpenBack back_;
-    DepthLayers layers_;
+    int size_;
+    BackCloser closer_;
     std::vector<MapVertex> vertices_;
     std::vector<std::uint32_t> candidates_; ///< triangles that may cover the middle of a texel
-    std::vector<float> sphere_exit_; ///< by texel
 };
 
 } // namespace limn

@@ -34,6 +34,12 @@ struct ShadowQuery {
     vec2 among = vec2(0.5f);    ///< which of the four nearest maps (formulas::cell_for); the middle takes the nearest
 };
 
+/// The other end of a query from a known place.
+struct ShadowEnd {
+    vec4 to = vec4(0, 0, 0, 1); ///< as in ShadowQuery
+    vec2 among = vec2(0.5f);    ///< as in ShadowQuery
+};
+
 /// Of which texels the answers of a look-up are the mean, each as light or dark.
 enum class MapTaps : std::uint8_t {
     one,            ///< the nearest texel of the nearest map
@@ -70,7 +76,17 @@ public:
     void at(std::span<const ShadowQuery> queries, std::span<Verdict> verdicts) const
     {
         for (std::size_t first = 0; first < queries.size(); first += together)
-            batch(queries.subspan(first, std::min(together, queries.size() - first)), verdicts.data() + first);
+            batch(std::min(together, queries.size() - first), [&](std::size_t i) { return queries[first + i]; }, false, verdicts.data() + first);
+    }
+    /// The same for one place and many ends. From a place in the object's sphere those that lie in the direction of one map are looked up once.
+    /// @param verdicts  as many as ends
+    void at(const vec3& from, std::span<const ShadowEnd> ends, std::span<Verdict> verdicts) const
+    {
+        const bool inside = glm::dot(from, from) < 1.0f;
+        for (std::size_t first = 0; first < ends.size(); first += together) {
+            const auto query = [&](std::size_t i) { return ShadowQuery{from, ends[first + i].to, ends[first + i].among}; };
+            batch(std::min(together, ends.size() - first), query, inside, verdicts.data() + first);
+        }
     }
     /// The same in parallel.
     void at_in_parallel(std::span<const ShadowQuery> queries, std::span<Verdict> verdicts) const
@@ -100,6 +116,27 @@ public:
 
 private:
     static constexpr std::size_t together = 64;
+
+    /// Numbers the different cells of a few, from 0 on.
+    class CellNumbers {
+    public:
+        CellNumbers() { cells_.fill(none); }
+        /// @param next  the number of a cell that is new
+        std::uint8_t number(std::uint32_t cell, std::size_t next)
+        {
+            std::size_t slot = (cell * 0x9E3779B1u) >> 25;
+            while (cells_[slot] != none && cells_[slot] != cell)
+                slot = (slot + 1) % cells_.size();
+            if (cells_[slot] == none)
+                cells_[slot] = cell, numbers_[slot] = std::uint8_t(next);
+            return numbers_[slot];
+        }
+
+    private:
+        static constexpr std::uint32_t none = 0xFFFFFFFFu; // more than a grid has
+        std::array<std::uint32_t, 2 * together> cells_;
+        std::array<std::uint8_t, 2 * together> numbers_;
+    };
 
     ivec2 cell_of(const ShadowLine& line, const vec2& among) const
     {
@@ -133,28 +170,39 @@ private:
         return float(lit) / float(side * side);
     }
 
-    void batch(std::span<const ShadowQuery> queries, Verdict* verdicts) const
+    /// @param query   of a number below `size`, at most `together`
+    /// @param shared  whether all are from one place in the sphere: then those that see no end in it share an answer where they lie in one cell
+    template <class Query> void batch(std::size_t size, Query&& query, bool shared, Verdict* verdicts) const
     {
+        CellNumbers numbers;
         std::array<MapPlace, together> places;
         std::array<MapProbe, together> probes;
-        std::array<std::uint32_t, together> asked;
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < queries.size(); ++i) {
+        std::array<std::uint8_t, together> asked, number;
+        std::size_t count = 0, answers = 0;
+        for (std::size_t i = 0; i < size; ++i) {
             verdicts[i] = Verdict::lit;
-            const ShadowLine line = formulas::shadow_line(queries[i].from, queries[i].to);
+            const ShadowQuery at = query(i);
+            const ShadowLine line = formulas::shadow_line(at.from, at.to);
             if (line.kind == formulas::LINE_FREE)
                 continue;
-            const ivec2 cell = cell_of(line, queries[i].among);
+            const ivec2 cell = cell_of(line, at.among);
+            if (shared && line.reach < 0) {
+                const std::uint8_t known = numbers.number(std::uint32_t(cell.y) * std::uint32_t(layout_.grid.cells.x) + std::uint32_t(cell.x), count);
+                if (known < count) {
+                    asked[answers] = std::uint8_t(i), number[answers++] = known;
+                    continue;
+                }
+            }
             probes[count] = probe(line, cell);
-            places[count].texel = formulas::texel_at(probes[count].place, layout_.size);
-            places[count].rank = rank(cell);
-            asked[count] = std::uint32_t(i);
-            count += places[count].texel != formulas::NO_TEXEL;
+            places[count] = {formulas::texel_at(probes[count].place, layout_.size), rank(cell)};
+            if (places[count].texel == formulas::NO_TEXEL)
+                places[count].texel = 0, probes[count].depth = -1; // nearer than all surfaces: lit
+            asked[answers] = std::uint8_t(i), number[answers++] = std::uint8_t(count++);
         }
         std::array<float, together> depths;
         read_depths(*depths_, std::span(places.data(), count), depths.data());
-        for (std::size_t k = 0; k < count; ++k)
-            verdicts[asked[k]] = Verdict(formulas::shadow_verdict(probes[k], depths[k]));
+        for (std::size_t k = 0; k < answers; ++k)
+            verdicts[asked[k]] = Verdict(formulas::shadow_verdict(probes[number[k]], depths[number[k]]));
     }
 
     MapLayout layout_;

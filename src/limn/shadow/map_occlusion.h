@@ -66,16 +66,16 @@ private:
             others_->look(from, to, lit);
         else
             std::fill_n(lit, to.size(), std::uint8_t(1));
-        std::array<ShadowQuery, together> queries;
+        std::array<ShadowEnd, together> ends;
         std::array<Verdict, together> verdicts;
         std::array<bool, together> unknown = {};
         for (const Object& object : objects_) {
             const vec3 own_from = object.place.turn * from + object.place.shift;
             for (std::size_t k = 0; k < to.size(); ++k) {
                 const vec4& q = to[k].place;
-                queries[k] = {own_from, vec4(object.place.turn * vec3(q) + q.w * object.place.shift, q.w), to[k].among};
+                ends[k] = {vec4(object.place.turn * vec3(q) + q.w * object.place.shift, q.w), to[k].among};
             }
-            object.maps->at({queries.data(), to.size()}, verdicts);
+            object.maps->at(own_from, {ends.data(), to.size()}, verdicts);
             for (std::size_t k = 0; k < to.size(); ++k) {
                 lit[k] = lit[k] && verdicts[k] != Verdict::dark;
                 unknown[k] = unknown[k] || verdicts[k] == Verdict::unknown;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "limn/formulas/formulas.h"
 #include "limn/raycast/ground.h"
 
 namespace limn {
@@ -17,9 +18,12 @@ public:
     /// In [0,1], at a place of the ground.
     float light(const vec3& place) const;
 
+    /// The same as formulas and devices have it: the grid, and the light in its places, row by row.
+    const formulas::GroundGrid& grid() const { return grid_; }
+    const std::vector<float>& values() const { return values_; }
+
 private:
-    vec3 middle_, right_, ahead_;
-    float reach_; ///< half a side of the grid
+    formulas::GroundGrid grid_;
     std::vector<float> values_;
 };
 

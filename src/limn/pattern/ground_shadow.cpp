@@ -1,4 +1,4 @@
-#include "limn/scene/ground_shadow.h"
+#include "limn/pattern/ground_shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,21 @@
 #include "limn/formulas/formulas.h"
 #include "limn/pattern/pixel_samples.h"
 
+// The shared text needs the dialect's word once more, inside of a struct.
+#define FORMULA inline
+
 namespace limn {
+namespace formulas {
+
+struct GroundValues {
+    const float* values;
+    int side;
+    float ground_value(const ivec2& at) const { return values[at.y * side + at.x]; }
+#include "limn/formulas/ground_light.glsl"
+};
+
+} // namespace formulas
+
 namespace {
 
 constexpr int side = 96;           ///< of the grid
@@ -38,24 +52,22 @@ GroundShadow::GroundShadow(const SeenScene& scene, const GroundPlane& plane, con
 {
 }
 
-GroundShadow::GroundShadow(const std::function<bool(const Ray&)>& occluded, const GroundPlane& plane, const vec3& to_light)
-    : middle_(plane.middle()), reach_(2.6f * plane.radius()), values_(side * side)
+GroundShadow::GroundShadow(const std::function<bool(const Ray&)>& occluded, const GroundPlane& plane, const vec3& to_light) : values_(side * side)
 {
-    const vec3 up = plane.up();
-    right_ = glm::normalize(glm::cross(std::abs(up.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), up));
-    ahead_ = glm::cross(up, right_);
+    const vec3 up = plane.up(), right = glm::normalize(glm::cross(std::abs(up.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), up)), ahead = glm::cross(up, right);
+    grid_ = {plane.middle(), right, ahead, 2.6f * plane.radius(), side};
     const vec3 aside = glm::normalize(glm::cross(std::abs(to_light.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to_light)), above = glm::cross(to_light, aside);
     const auto is_hidden = [&](const vec3& from, const vec3& direction) { return occluded({from, direction, 0}); };
     const std::vector<vec2> spread = even_samples(rays / 2, 1, 1, vec2(0.5f)); // in a unit square around 0
     parallel_each(side * side, side, [&](std::size_t i) {
-        const vec2 at = (vec2(float(i % side), float(i / side)) / float(side - 1) - 0.5f) * 2.0f * reach_;
-        const vec3 from = middle_ + right_ * at.x + ahead_ * at.y + off * up;
+        const vec2 at = (vec2(float(i % side), float(i / side)) / float(side - 1) - 0.5f) * 2.0f * grid_.reach;
+        const vec3 from = grid_.middle + right * at.x + ahead * at.y + off * up;
         const float own = formulas::number_of(int(i)); // every place turns its rays its own way: what that leaves is smoothed below
         int open = 0, lit = 0;
         for (const vec2& even : spread) {
             const vec2 s = glm::fract(even + 0.5f + vec2(own, glm::fract(37 * own))) - 0.5f;
             const float radius = std::sqrt(s.x + 0.5f), turn = 6.2831853f * s.y; // even under the cosine
-            const vec3 sky = right_ * (radius * std::cos(turn)) + ahead_ * (radius * std::sin(turn)) + up * std::sqrt(std::max(0.0f, 1 - radius * radius));
+            const vec3 sky = right * (radius * std::cos(turn)) + ahead * (radius * std::sin(turn)) + up * std::sqrt(std::max(0.0f, 1 - radius * radius));
             open += !is_hidden(from, sky);
             lit += !is_hidden(from, to_light + 2 * light_spread * (s.x * aside + s.y * above));
         }
@@ -64,18 +76,6 @@ GroundShadow::GroundShadow(const std::function<bool(const Ray&)>& occluded, cons
     values_ = smoothed(smoothed(values_));
 }
 
-float GroundShadow::light(const vec3& place) const
-{
-    const vec3 d = place - middle_;
-    const vec2 at = (vec2(glm::dot(d, right_), glm::dot(d, ahead_)) / (2.0f * reach_) + 0.5f) * float(side - 1);
-    if (!(at.x >= 0 && at.y >= 0 && at.x <= side - 1 && at.y <= side - 1))
-        return 1;
-    const int x = std::min(int(at.x), side - 2), y = std::min(int(at.y), side - 2);
-    const vec2 f = at - vec2(float(x), float(y));
-    const auto value = [&](int px, int py) { return values_[std::size_t(py * side + px)]; };
-    const float inside = glm::mix(glm::mix(value(x, y), value(x + 1, y), f.x), glm::mix(value(x, y + 1), value(x + 1, y + 1), f.x), f.y);
-    const float border = std::max(std::abs(at.x / float(side - 1) - 0.5f), std::abs(at.y / float(side - 1) - 0.5f)) * 2;
-    return glm::mix(inside, 1.0f, glm::smoothstep(0.8f, 1.0f, border));
-}
+float GroundShadow::light(const vec3& place) const { return formulas::GroundValues{values_.data(), side}.ground_light(grid_, place); }
 
 } // namespace limn
