@@ -50,7 +50,7 @@ void refuse_mesh_options(const CLI::App& app, const PatternOptions& pattern)
     for (const char* option : {"--pass", "--overlay", "--shadow-maps", "--layer-heights", "--cache", "--up-axis"})
         if (app.count(option) > 0)
             throw Error::Input(fmt::format("{}: G-code is drawn bead by bead; that option is for meshes", option));
-    if (!is_among(pattern.kind == PatternKind::plain || pattern.kind == PatternKind::layers ? "print" : "other", {"print"}))
+    if (pattern.kind != PatternKind::plain && pattern.kind != PatternKind::layers)
         throw Error::Input("--material: G-code is drawn as the beads it makes; leave --material out");
     if (pattern.filter != PatternFilter::gauss && pattern.filter != PatternFilter::box)
         throw Error::Input("--pattern-filter: beads are filtered with gauss or box");

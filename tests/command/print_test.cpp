@@ -79,6 +79,15 @@ TEST_F(PrintCommand, HelpTellsOfEveryOption)
     EXPECT_NE(limn("bench nothing").errors.find("print"), std::string::npos);
 }
 
+TEST_F(PrintCommand, BenchMeasuresReadingAndDrawing)
+{
+    const ProgramResult result = limn("bench print --sizes 2k --runs 1 --quiet --json");
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const auto rows = nlohmann::json::parse(result.output)["prints"];
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_TRUE(rows[0].contains("million lines/s"));
+}
+
 TEST_F(PrintCommand, WhatCannotBeDrawnIsOneLine)
 {
     const std::string out = " -o " + path("x.png");

@@ -1,7 +1,9 @@
 #include "limn/scene/pattern_light.h"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
+#include <vector>
 
 #include "limn/base/error.h"
 #include "limn/pattern/filament.h"
@@ -42,6 +44,22 @@ PatternLight pattern_light(const dvec3& centre, double scale, const Camera& came
         light.intensity = vec3(light_strength * away * away);
     }
     return light;
+}
+
+float light_share(const Occlusion& occlusion, const PatternLight& light, std::span<const vec2> places, const vec3& from, const vec2& pixel)
+{
+    const vec3 to = light.place ? glm::normalize(*light.place - from) : light.lighting.to_light;
+    const vec3 aside = glm::normalize(glm::cross(std::abs(to.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to)), above = glm::cross(to, aside);
+    const float own = number_of(int(pixel.x) + 8191 * int(pixel.y)), away = light.place ? glm::length(*light.place - from) : 1;
+    std::vector<LightPlace> wanted(places.size());
+    std::vector<std::uint8_t> lit(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const float radius = light.lighting.radius * std::sqrt(places[k].x + 0.5f), turn = 6.2831853f * (places[k].y + own);
+        const vec3 off = radius * (std::cos(turn) * aside + std::sin(turn) * above);
+        wanted[k] = {light.place ? vec4(*light.place + away * off, 1) : vec4(to + off, 0), vec2(glm::fract(places[k] + own))};
+    }
+    occlusion.look(from, wanted, lit.data());
+    return float(std::count(lit.begin(), lit.end(), 1)) / float(places.size());
 }
 
 Finish print_finish(const PatternOptions& options)

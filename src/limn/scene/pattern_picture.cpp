@@ -8,6 +8,7 @@
 #include "limn/pattern/filament.h"
 #include "limn/raycast/lighting.h"
 #include "limn/raycast/occlusion.h"
+#include "limn/scene/pattern_light.h"
 
 namespace limn {
 namespace {
@@ -36,25 +37,12 @@ struct Painter {
 
     std::size_t pattern_of(const Fragment& fragment) const { return paint.patterns.size() == 1 ? 0 : scene.part_of(fragment.object, fragment.triangle); }
 
-    /// How much of a light nothing hides, by `count` of its places; each pixel turns them its own way.
-    float light_share(const PatternLight& light, const PatternSpot& spot, const vec2& pixel, std::size_t count) const
+    /// How much of a light nothing hides, by `count` of its places.
+    float unhidden(const PatternLight& light, const PatternSpot& spot, const vec2& pixel, std::size_t count) const
     {
         if (!shade.occlusion)
             return 1;
-        const vec3 from = spot.position + off_surface * spot.face_normal;
-        const vec3 to = light.place ? glm::normalize(*light.place - from) : light.lighting.to_light;
-        const vec3 aside = glm::normalize(glm::cross(std::abs(to.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to)), above = glm::cross(to, aside);
-        const float own = number_of(int(pixel.x) + 8191 * int(pixel.y));
-        std::vector<LightPlace> wanted(count);
-        std::vector<std::uint8_t> lit(count);
-        for (std::size_t k = 0; k < count; ++k) {
-            const float radius = light.lighting.radius * std::sqrt(places[k].x + 0.5f), turn = 6.2831853f * (places[k].y + own);
-            const vec3 off = radius * (std::cos(turn) * aside + std::sin(turn) * above);
-            const float away = light.place ? glm::length(*light.place - from) : 1;
-            wanted[k] = {light.place ? vec4(*light.place + away * off, 1) : vec4(to + off, 0), vec2(glm::fract(places[k] + own))};
-        }
-        shade.occlusion->look(from, wanted, lit.data());
-        return float(std::count(lit.begin(), lit.end(), 1)) / float(count);
+        return light_share(*shade.occlusion, light, {places.data(), count}, spot.position + off_surface * spot.face_normal, pixel);
     }
     /// Radiance, premultiplied, and opacity, by one of the lights.
     vec4 lit(const PatternShader& shader, const PatternCamera& camera, const PatternSpot& in_frame, const vec2& pixel, float share) const
@@ -72,7 +60,7 @@ struct Painter {
         const std::size_t each = (samples.places - 1) / lights.size() + 1;
         vec4 colour(0);
         for (std::size_t k = 0; k < lights.size(); ++k) {
-            const vec4 one = lit(painted.lit[k], cameras[pattern], in_frame, pixel, light_share(lights[k], spot, pixel, each));
+            const vec4 one = lit(painted.lit[k], cameras[pattern], in_frame, pixel, unhidden(lights[k], spot, pixel, each));
             colour = vec4(vec3(colour) + vec3(one), one.w);
         }
         return vec4(closed_in(shown_light(vec3(colour)), spot, samples), colour.w);

@@ -197,27 +197,14 @@ private:
         return edge;
     }
 
-    /// How much of the light nothing hides, by `count` of its places; each pixel turns them its own way.
-    float light_share(const SeenBead& seen, const vec3& surface, const dvec2& pixel, std::size_t count) const
+    /// How much of the light nothing hides, by `count` of its places.
+    float unhidden(const SeenBead& seen, const vec3& surface, const dvec2& pixel, std::size_t count) const
     {
         if (!shade_.occlusion)
             return 1;
         const vec3 n = surface == vec3(0) ? seen.normal : surface;
         const vec3 from = seen.position + 1.2f * print_.scene.beads()[seen.bead].height() * n; // out of the beads' own grooves
-        const vec3 to = light_.place ? glm::normalize(*light_.place - from) : light_.lighting.to_light;
-        const vec3 aside = glm::normalize(glm::cross(std::abs(to.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0), to)),
-                   above = glm::cross(to, aside);
-        const float own = number_of(int(pixel.x) + 8191 * int(pixel.y)), away = light_.place ? glm::length(*light_.place - from) : 1;
-        std::vector<LightPlace> wanted(count);
-        std::vector<std::uint8_t> lit(count);
-        for (std::size_t k = 0; k < count; ++k) {
-            const float radius = light_.lighting.radius * std::sqrt(light_places_[k].x + 0.5f),
-                        turn = 6.2831853f * (light_places_[k].y + own);
-            const vec3 off = radius * (std::cos(turn) * aside + std::sin(turn) * above);
-            wanted[k] = {light_.place ? vec4(*light_.place + away * off, 1) : vec4(to + off, 0), vec2(glm::fract(light_places_[k] + own))};
-        }
-        shade_.occlusion->look(from, wanted, lit.data());
-        return float(std::count(lit.begin(), lit.end(), 1)) / float(count);
+        return light_share(*shade_.occlusion, light_, {light_places_.data(), count}, from, vec2(pixel));
     }
 
     /// The mean colour of the beads that a pixel and its neighbours see of one surface.
@@ -251,7 +238,7 @@ private:
     /// Radiance of a place, as the pixel around has it. @param view  of the pixel whose surface the place belongs to
     vec3 radiance(const SeenBead& seen, const dvec2& pixel, const PixelView& of, const vec3& colour, std::size_t light_places) const
     {
-        const float share = light_share(seen, of.surface, pixel, light_places);
+        const float share = unhidden(seen, of.surface, pixel, light_places);
         vec3 sum(0);
         if (of.bodies > 0)
             sum += of.bodies * shader_.own(seen, share);
