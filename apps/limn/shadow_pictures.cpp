@@ -94,9 +94,9 @@ void add_pictures(const ShadowSubject& subject, int maps, int resolution, const 
     const Camera camera = Camera::framing(model.bounds, {.view = "30,25", .size = picture_size});
     for (const int samples : all_samples) {
         scene.render.shadow_samples = samples;
-        const PictureTimes none = time_picture(scene, model, camera, ShadowMethod::nothing), by_rays = time_picture(scene, model, camera, ShadowMethod::rays),
+        const PictureTimes unhidden = time_picture(scene, model, camera, ShadowMethod::nothing), by_rays = time_picture(scene, model, camera, ShadowMethod::rays),
                            by_maps = time_picture(scene, model, camera, ShadowMethod::maps);
-        table.add({subject.name, std::to_string(samples), fmt::format("{:.1f}", double(by_maps.queries) / 1e6), fmt::format("{:.2f}", none.seconds), fmt::format("{:.2f}", by_rays.seconds),
+        table.add({subject.name, std::to_string(samples), fmt::format("{:.1f}", double(by_maps.queries) / 1e6), fmt::format("{:.2f}", unhidden.seconds), fmt::format("{:.2f}", by_rays.seconds),
                    fmt::format("{:.2f}", by_maps.seconds), fmt::format("{:.2f}", by_maps.seconds / by_rays.seconds), nanoseconds_text(by_rays), nanoseconds_text(by_maps)});
     }
 }
