@@ -112,7 +112,7 @@ TEST_F(RenderPattern, BadInputIsRefusedInOneLineAndNothingIsWritten)
     expect_refusal("--material layers --layer-heights " + path("bad.txt") + " --layer-height 1", "--layer-heights and --layer-height both say how high layers are; give one");
     expect_refusal("--layer-height 1", "--layer-height is of prints; give --material layers too");
     expect_refusal("--material marble", "--material: 'marble' is none of plain|layers|bricks|thread");
-    if (run_shell(std::string(LIMN_COMMAND) + " render " + torus() + " --device gpu --size 8x6 -o " + path("g.png")).exit_code == 0) {
+    if (limn("render " + torus() + " --device gpu --size 8x6 -o " + path("g.png")).exit_code == 0) {
         expect_refusal("--material layers --device gpu --shadow ray", "--device gpu: shadows, lights with a size and --ao are computed on the processor; leave the option out");
     }
 }
