@@ -58,6 +58,8 @@ with open(sys.argv[1], "wb") as out:
             out.write(bytes_of([c + 150 * sun for c in sky]))
 PYTHON
 upright light-env knot 480x360 --ground --light "env:$models/sky.hdr" --shadow-samples 256
+build/limn bench pattern --edges 16 --runs 1 --figures "$models/figures" --quiet > /dev/null
+convert "$models/figures/truth.png" -resize 808x docs/images/print-truth.png
 sample torus 200000
 cp docs/scene.json "$models"
 build/limn render "$models/scene.json" --quiet -o docs/images/scene.png

@@ -36,6 +36,7 @@ constexpr const char* examples = R"(Examples:
   limn bench silhouette --models creature,torus       outlines of control meshes, and what they take
   limn bench terrain --models alps.tif --bounds 5,20  triangles within a bound, beside others
   limn bench pattern                                  analytic filters beside samples
+  limn bench pattern --runs 1 --figures figures       and the figures of the study behind it
   limn bench print                                    reading and drawing G-code
   limn bench shadow --models blob --sizes 256,1024    sizes, errors and times of shadow maps
   limn bench shadow --figures shadow-figures          and the figures of the study)";
@@ -129,7 +130,7 @@ Subcommand add_bench(CLI::App& limn)
     app->add_option("--bounds", request.bounds, "terrain: how far samples may be from meshes, metres (default 64,16,4)")->delimiter(',')->check(CLI::Range(0.0, 1e9))->type_name("M,M,...");
     app->add_option("--edges", request.edges, "sizes of square pictures, pixels (render: default 512,1024,2048,4096; agreement: 512; silhouette, distance transforms: 256,512,1024,2048; pattern: 64; shadow: of maps, 32,64,128)")->delimiter(',')->check(CLI::Range(16, 16384))->type_name("N,N,...");
     app->add_option("--runs", request.runs, "runs (default 7; render: of whole processes, 0: none; subdivision: at least so many, in three rounds)")->check(CLI::Range(0, 1000))->type_name("N");
-    app->add_option("--figures", request.figures, "shadow: also writes the figures of the study there, as PNG")->type_name("FOLDER");
+    app->add_option("--figures", request.figures, "pattern, shadow: also writes the figures of the study there, as PNG")->type_name("FOLDER");
     app->add_flag("--full", request.full, "render: turn for 10 seconds about each axis, ten times, as the study did; shadow: up to 65,536 maps of 256 x 256");
     add_common_options(*app, command->common,
                        "file to write: md, whose section is replaced, or json; may be given several times (default: standard output)");

@@ -9,9 +9,14 @@
 
 #include "band_energy.h"
 #include "bench_table.h"
+#include "bench_truth.h"
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/base/file.h"
+#include "limn/drawing/png.h"
 #include "limn/pattern/filament.h"
+#include "pattern_figures.h"
+#include "pattern_frames.h"
 #include "pattern_subjects.h"
 
 using namespace limn;
@@ -108,7 +113,11 @@ struct PatternBench {
 
 struct Tables {
     MarkdownTable errors, times, summary, moire;
+    FrameTimes frames;
+    TruthTables truth;
 };
+
+constexpr int truth_width = 280; ///< of a picture beside rays, pixels
 
 std::vector<std::string> zoom_header(std::initializer_list<const char*> first)
 {
@@ -206,15 +215,21 @@ std::string text_of(const PatternBench& bench, const Tables& tables)
         "RMSE (encoded, 1 is white) against 1,024 stratified samples of each way's own kernel (of one pixel where it has none):\n\n{}\n"
         "Nanoseconds a pixel, medians of {} runs:\n\n{}\n"
         "Moiré: energy at up to {} of the pattern's lowest frequency, of what is not the pattern's mean, on {} x {} pixels without perspective, summed from half a period or "
-        "one period a pixel to {:.0f} in quarters of an octave; as a share of the seed's, and the seed's:\n\n{}\n",
+        "one period a pixel to {:.0f} in quarters of an octave; as a share of the seed's, and the seed's:\n\n{}\n"
+        "Milliseconds a frame of a blob, all threads: on the processor (rays, the filter, one sample a pixel), and on the device ({}) with the filter, with outlines of 4 samples, and "
+        "with the seed's 50 samples for every pixel; frames a second are those of the device's filter:\n\n{}\n"
+        "Prints beside the truth: the model's slices as real steps, flat or with the round edge of a single wall's beads, met by {} rays a pixel of the same kernel, under the same "
+        "light, its disc, sky and floor with what hides them; {} px wide, a studio's light, grey PETG. FLIP (Andersson et al. 2020; 0 is equal, {:.0f} px a degree) of each model, and "
+        "the highlight's length over its width:\n\n{}\n",
         LIMN_VERSION, machine_name(), bench.edge, bench.edge, tables.summary.text(), tables.errors.text(), bench.runs, tables.times.text(), below, bench.moire_edge, bench.moire_edge,
-        last_moire, tables.moire.text());
+        last_moire, tables.moire.text(), tables.frames.device, tables.frames.table.text(), truth_side * truth_side, truth_width, 67.0, tables.truth.errors.text());
 }
 
 std::string json_of(const PatternBench& bench, const Tables& tables)
 {
     const nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", "bench"}, {"what", "pattern"}, {"machine", machine_name()}, {"edge", bench.edge}, {"runs", bench.runs},
-                                         {"summary", ::json_of(tables.summary)}, {"rmse", ::json_of(tables.errors)}, {"ns_a_pixel", ::json_of(tables.times)}, {"moire", ::json_of(tables.moire)}};
+                                         {"summary", ::json_of(tables.summary)}, {"rmse", ::json_of(tables.errors)}, {"ns_a_pixel", ::json_of(tables.times)}, {"moire", ::json_of(tables.moire)},
+                                         {"device", tables.frames.device}, {"ms_a_frame", ::json_of(tables.frames.table)}, {"truth", ::json_of(tables.truth.errors)}};
     return json.dump(2) + "\n";
 }
 
@@ -228,10 +243,16 @@ BenchResult bench_pattern(const BenchRequest& request, Console& console)
     if (!request.edges.empty())
         bench.edge = request.edges.front();
     bench.runs = std::max(1, request.runs);
+    if (!request.figures.empty())
+        write_pattern_figures(request.figures, console);
     Tables tables = {MarkdownTable(zoom_header({"pattern", "way"})), MarkdownTable(zoom_header({"pattern", "way"})),
                      MarkdownTable({"pattern", "filter: times faster", "at least", "error/seed's, at most", "square: times faster", "at least", "error/seed's, at most"}),
-                     MarkdownTable({"pattern", "from", "filter", "square", "seed", "50 even", "4 samples", "smoothstep", "centre", "seed's energy"})};
+                     MarkdownTable({"pattern", "from", "filter", "square", "seed", "50 even", "4 samples", "smoothstep", "centre", "seed's energy"}), {}, {}};
     add_sweep(bench, console, tables);
     add_moire(bench, console, tables);
+    tables.frames = time_pattern_frames(std::max(1, request.runs / 2), console);
+    tables.truth = compare_with_truth(truth_width, console);
+    if (!request.figures.empty())
+        write_file((request.figures / "truth.png").string(), encode_png(tables.truth.strip, {}));
     return {text_of(bench, tables), json_of(bench, tables), counted(pattern_subjects(1, 8, true).size(), "pattern")};
 }

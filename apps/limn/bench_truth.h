@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "bench_table.h"
+#include "console.h"
+#include "limn/base/image.h"
+
+/// Prints of models of layers beside prints that rays met as real steps.
+struct TruthTables {
+    MarkdownTable errors = MarkdownTable({"shape", "px a layer", "truth", "FLIP: seed", "slope", "beads", "highlight: truth", "seed", "slope", "beads"});
+    limn::Image strip; ///< a row for each shape: flat steps (rays, seed, slope) and beads (rays, bead model)
+};
+
+inline constexpr int truth_side = 12; ///< samples of a pixel, squared
+
+/// @param width  of a picture, pixels
+TruthTables compare_with_truth(int width, Console& console);
