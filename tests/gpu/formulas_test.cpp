@@ -303,7 +303,7 @@ Values directions(const Point& p, const RadialTerms&)
     const vec2 place = place_of_direction(kind, vec3(p.n));
     const MapFrame back = frame_of_place(kind, place), frame = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w));
     const vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w));
-    return {{{place.x + turn_of(p.n.x, p.n.z), 2}, {dot(back.towards, vec3(p.v)), 10}, {sum({frame.right.x, frame.up.y}), 2}, {dot(frame.up, vec3(1, 2, 3)), 6}, {dot(frame.towards, vec3(1, 2, 3)), 6},
+    return {{{place.x + turn_about_y(p.n.x, p.n.z), 2}, {dot(back.towards, vec3(p.v)), 10}, {sum({frame.right.x, frame.up.y}), 2}, {dot(frame.up, vec3(1, 2, 3)), 6}, {dot(frame.towards, vec3(1, 2, 3)), 6},
              {folded.x - folded.y, 2}}};
 }
 
@@ -340,7 +340,7 @@ Values edge_normals(const Point& p, const RadialTerms&)
 const Formula formulas_of_the_library[] = {
     {"direction_grid",
      "int kind = int(p.k.w * 2.999f); vec2 place = place_of_direction(kind, n); MapFrame back = frame_of_place(kind, place);"
-     "MapFrame f = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w)); vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w)); r[0] = place.x + turn_of(n.x, n.z);"
+     "MapFrame f = frame_of_place(kind, vec2(p.k.z, 0.5f * p.k.z + 0.25f * p.k.w)); vec2 folded = fold_octahedron(vec2(p.k.z, p.k.w)); r[0] = place.x + turn_about_y(n.x, n.z);"
      "r[1] = dot(back.towards, v); r[2] = abs(f.right.x) + abs(f.up.y); r[3] = dot(f.up, vec3(1, 2, 3)); r[4] = dot(f.towards, vec3(1, 2, 3)); r[5] = folded.x - folded.y;",
      directions},
     {"map_rank",

@@ -23,7 +23,7 @@ FORMULA vec2 fold_octahedron(const vec2 p)
 }
 
 // The turn from z to x as a part of a whole one, in [0, 1]: arctangent by the odd polynomial of degree 15 with the least greatest error, 6e-9.
-FORMULA float turn_of(const float x, const float z)
+FORMULA float turn_about_y(const float x, const float z)
 {
     float far = max(abs(x), abs(z));
     float a = far > 0.0f ? min(abs(x), abs(z)) / far : 0.0f;
@@ -43,8 +43,8 @@ FORMULA vec2 place_of_direction(const int kind, const vec3 d)
             p = fold_octahedron(p);
         return clamp(p * 0.5f + vec2(0.5f, 0.5f), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
     }
-    float s = kind == POLAR_GRID ? 2.0f * turn_of(length(vec2(d.x, d.z)), d.y) : 0.5f - 0.5f * d.y;
-    return clamp(vec2(s, turn_of(d.x, d.z)), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
+    float s = kind == POLAR_GRID ? 2.0f * turn_about_y(length(vec2(d.x, d.z)), d.y) : 0.5f - 0.5f * d.y;
+    return clamp(vec2(s, turn_about_y(d.x, d.z)), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
 }
 
 // The frame of the map at a place. Its axes are those of the sphere, right along phi and up against theta.
