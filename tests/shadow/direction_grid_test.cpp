@@ -55,7 +55,7 @@ TEST(DirectionGrid, TurnsAreThoseOfTheArctangent)
         const float size = std::exp2(float(random.uniform(-20, 20)));
         const vec2 d = size * vec2(float(random.normal()), i % 7 == 0 ? 0.0f : float(random.normal()));
         const double turn = std::atan2(double(d.x), double(d.y)) / (2 * std::numbers::pi), wanted = turn < 0 ? turn + 1 : turn;
-        ASSERT_NEAR(double(formulas::turn_about_y(d.x, d.y)), wanted, 1e-7) << d.x << " " << d.y; // 1 in float is 6e-8 fine
+        ASSERT_NEAR(double(formulas::turn_about_y(d.x, d.y)), wanted, 1e-7) << d.x << " " << d.y;
     }
     EXPECT_EQ(formulas::turn_about_y(0, 1), 0);
     EXPECT_EQ(formulas::turn_about_y(1, 0), 0.25f);
