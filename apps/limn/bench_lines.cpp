@@ -88,7 +88,8 @@ std::vector<View> random_views(int count)
     std::vector<View> views;
     for (int i = 0; i < count; ++i) {
         Random random(2027, std::uint64_t(i));
-        const dvec3 direction = glm::normalize(dvec3(random.normal(), random.normal(), random.normal()));
+        const double z = random.normal(), y = random.normal(), x = random.normal(); // in an order that no compiler chooses
+        const dvec3 direction = glm::normalize(dvec3(x, y, z));
         views.push_back({false, vec3(direction * random.uniform(2.1, 3.9))});
     }
     return views;

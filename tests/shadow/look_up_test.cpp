@@ -26,7 +26,8 @@ struct Ball {
 vec4 place(const vec3& p) { return {p, 1}; }
 vec4 far_towards(const vec3& d) { return {d, 0}; }
 
-vec3 random_direction(Random& random) { return glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal()))); }
+vec3 random_direction(Random& random) { const double z = random.normal(), y = random.normal(), x = random.normal(); // in an order that no compiler chooses
+    return glm::normalize(vec3(dvec3(x, y, z))); }
 
 const MapLayout fine = {{DirectionSpread::even, {64, 64}}, MapOrder::theta_zigzag, 256};
 

@@ -13,7 +13,8 @@ namespace {
 vec3 random_direction(Random& random)
 {
     while (true) {
-        const dvec3 v(random.normal(), random.normal(), random.normal());
+        const double z = random.normal(), y = random.normal(), x = random.normal(); // in an order that no compiler chooses
+        const dvec3 v(x, y, z);
         if (const double length = glm::length(v); length > 1e-6)
             return vec3(v / length);
     }
@@ -22,7 +23,8 @@ vec3 random_direction(Random& random)
 dvec3 random_in_ball(Random& random)
 {
     while (true) {
-        const dvec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const double z = random.uniform(-1, 1), y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+        const dvec3 v(x, y, z);
         if (glm::dot(v, v) < 1)
             return v;
     }
