@@ -91,11 +91,14 @@ TEST(LookUp, FindsABallBetweenRandomPlaces)
     Random random(3);
     std::array<std::size_t, 3> found = {};
     for (int i = 0; i < 200000; ++i) {
-        const auto some_place = [&] { return float(random.uniform(0.7, 2.5)) * random_direction(random); };
+        const auto some_place = [&] {
+            const float far = float(random.uniform(0.7, 2.5));
+            return far * random_direction(random);
+        };
         const vec3 p = some_place(), q = some_place();
         const float length = glm::distance(p, q), along = glm::clamp(-glm::dot(p, (q - p) / length), 0.0f, length);
         const float nearest = glm::length(p + along * (q - p) / length);
-        if (std::abs(nearest - radius) < 0.08f) // texels and cells are this coarse
+        if (std::abs(nearest - radius) < 0.13f) // cells are this coarse: those at the poles reach 14 degrees from them
             continue;
         const Verdict verdict = look.at({p, place(q)});
         ++found[std::size_t(verdict)];
@@ -108,7 +111,7 @@ TEST(LookUp, FindsABallBetweenRandomPlaces)
     fmt::print("{} lit, {} dark, {} unknown\n", found[0], found[1], found[2]);
     EXPECT_GT(found[0], 40000u);
     EXPECT_GT(found[1], 20000u);
-    EXPECT_GT(found[2], 10u);
+    EXPECT_GT(found[2], 4u);
 }
 
 TEST(LookUp, TakesEachOfTheFourNearestMapsAsOftenAsItIsNear)
