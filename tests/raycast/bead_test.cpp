@@ -139,6 +139,10 @@ TEST(BeadScene, FindsTheNearestOfAllBeadsInPartsToo)
         EXPECT_FALSE(scene.occluded(before));
     }
     EXPECT_GT(hits, 1000);
+    for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
+        EXPECT_FALSE(scene.closest({{wrong, 0, 0}, {1, 0, 0}})) << "the tracer would end the process";
+        EXPECT_FALSE(scene.occluded({{0, 0, 0}, {0, wrong, 0}}));
+    }
 }
 
 } // namespace

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <embree3/rtcore.h>
-#include <fmt/format.h>
 
-#include "limn/base/error.h"
-#include "limn/base/parallel.h"
+#include "limn/raycast/embree.h"
 
 namespace limn {
 namespace {
@@ -23,23 +20,10 @@ int parts_of(const BeadShape& bead)
 
 } // namespace
 
-struct BeadScene::Embree {
+struct BeadScene::Embree : EmbreeScene {
     std::vector<BeadShape> beads;
     std::vector<std::uint32_t> first_part;   ///< of each bead, and the total; empty: every bead is one part
     std::vector<std::uint32_t> bead_of_part; ///< empty as above
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-
-    Embree() = default;
-    Embree(const Embree&) = delete;
-    Embree& operator=(const Embree&) = delete;
-    ~Embree()
-    {
-        if (scene)
-            rtcReleaseScene(scene);
-        if (device)
-            rtcReleaseDevice(device);
-    }
 
     std::uint32_t bead_at(unsigned part) const { return bead_of_part.empty() ? part : bead_of_part[part]; }
 
@@ -117,50 +101,29 @@ BeadScene::BeadScene(std::vector<BeadShape> beads) : embree_(std::make_unique<Em
     Embree& e = *embree_;
     e.beads = std::move(beads);
     e.divide();
-    e.device = rtcNewDevice(nullptr);
-    if (!e.device)
-        throw Error::Device(fmt::format("the ray tracer (Embree) cannot start: error {}", int(rtcGetDeviceError(nullptr))));
-    e.scene = rtcNewScene(e.device);
-    rtcSetSceneFlags(e.scene, RTC_SCENE_FLAG_ROBUST);
+    e.open(RTC_SCENE_FLAG_ROBUST);
     const RTCGeometry geometry = rtcNewGeometry(e.device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, unsigned(e.bead_of_part.empty() ? e.beads.size() : e.bead_of_part.size()));
     rtcSetGeometryUserData(geometry, &e);
     rtcSetGeometryBoundsFunction(geometry, Embree::bounds, nullptr);
     rtcSetGeometryIntersectFunction(geometry, Embree::intersect);
     rtcSetGeometryOccludedFunction(geometry, Embree::occluded);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(e.scene, geometry, 0);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(e.scene);
-    if (const RTCError error = rtcGetDeviceError(e.device); error != RTC_ERROR_NONE)
-        throw Error::Device(fmt::format("the ray tracer (Embree) cannot build its hierarchy: error {}{}", int(error),
-                                        error == RTC_ERROR_OUT_OF_MEMORY ? " (out of memory)" : ""));
+    e.attach(geometry, 0);
+    e.commit();
 }
 
 BeadScene::~BeadScene() = default;
 BeadScene::BeadScene(BeadScene&&) noexcept = default;
 BeadScene& BeadScene::operator=(BeadScene&&) noexcept = default;
 
-namespace {
-
-RTCRay embree_ray(const Ray& ray)
-{
-    RTCRay r = {};
-    r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
-    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
-    r.tnear = ray.near, r.tfar = ray.far;
-    r.mask = 0xFFFFFFFFu;
-    return r;
-}
-
-} // namespace
-
 BeadHit BeadScene::closest(const Ray& ray) const
 {
+    if (!traceable(ray))
+        return {};
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit query = {};
-    query.ray = embree_ray(ray);
+    query.ray = to_embree(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(embree_->scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
@@ -170,9 +133,11 @@ BeadHit BeadScene::closest(const Ray& ray) const
 
 bool BeadScene::occluded(const Ray& ray) const
 {
+    if (!traceable(ray))
+        return false;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay query = embree_ray(ray);
+    RTCRay query = to_embree(ray);
     rtcOccluded1(embree_->scene, &context, &query);
     return query.tfar < 0;
 }

@@ -1,10 +1,6 @@
 #include "limn/raycast/ray_scene.h"
 
-#include <cmath>
-#include <embree3/rtcore.h>
-#include <fmt/format.h>
-
-#include "limn/base/error.h"
+#include "limn/raycast/embree.h"
 
 namespace limn {
 namespace {
@@ -28,62 +24,22 @@ void filter(const RTCFilterFunctionNArguments* arguments)
         arguments->valid[0] = 0;
 }
 
-RTCRay to_embree(const Ray& ray)
-{
-    RTCRay r = {};
-    r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
-    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
-    r.tnear = ray.near, r.tfar = ray.far;
-    r.mask = 0xFFFFFFFFu;
-    return r;
-}
-
-/// Embree ends the process over rays that hold NaN or numbers near the end of float. They meet nothing.
-bool traceable(const Ray& ray)
-{
-    constexpr float most = 1e18f;
-    const auto fits = [](const vec3& v) { return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most; };
-    return fits(ray.origin) && fits(ray.direction) && !std::isnan(ray.near) && !std::isnan(ray.far);
-}
-
 } // namespace
 
-struct RayScene::Embree {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-    Embree() = default;
-    Embree(const Embree&) = delete;
-    Embree& operator=(const Embree&) = delete;
-    ~Embree()
-    {
-        if (scene)
-            rtcReleaseScene(scene);
-        if (device)
-            rtcReleaseDevice(device);
-    }
-};
+struct RayScene::Embree : EmbreeScene {};
 
 RayScene::RayScene(std::span<const RayTriangles> objects) : embree_(std::make_unique<Embree>())
 {
-    embree_->device = rtcNewDevice(nullptr);
-    if (!embree_->device)
-        throw Error::Device(fmt::format("the ray tracer (Embree) cannot start: error {}", int(rtcGetDeviceError(nullptr))));
-    embree_->scene = rtcNewScene(embree_->device);
     // Robust: no ray slips between two triangles. Compact: half the memory for a tenth of the speed.
-    rtcSetSceneFlags(embree_->scene, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    embree_->open(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     for (unsigned id = 0; id < objects.size(); ++id) {
         const RayTriangles& object = objects[id];
         const RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, object.positions.data(), 0, sizeof(vec3), object.positions.size());
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, object.triangles.data(), 0, sizeof(uvec3), object.triangles.size());
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(embree_->scene, geometry, id);
-        rtcReleaseGeometry(geometry);
+        embree_->attach(geometry, id);
     }
-    rtcCommitScene(embree_->scene);
-    if (const RTCError error = rtcGetDeviceError(embree_->device); error != RTC_ERROR_NONE)
-        throw Error::Device(fmt::format("the ray tracer (Embree) cannot build its hierarchy: error {}{}", int(error),
-                                        error == RTC_ERROR_OUT_OF_MEMORY ? " (out of memory)" : ""));
+    embree_->commit();
 }
 
 RayScene::~RayScene() = default;
