@@ -38,8 +38,6 @@ struct PatternPaint {
     vec3 background = vec3(1);            ///< linear
     std::optional<PaintedGround> ground;
     int edge_samples = 16;                ///< of a pixel on an outline or fold, 1: none is different
-
-    const PaintedPattern& of_part(std::size_t part) const { return patterns.size() == 1 ? patterns[0] : patterns[part]; }
 };
 
 /// Marks of overhangs: their colour, linear, and how much of it is laid over the print.
