@@ -6,12 +6,14 @@ build_packages=(
     libglm-dev libeigen3-dev libtbb-dev libembree-dev libassimp-dev libcairo2-dev libpng-dev
     libfmt-dev libcli11-dev nlohmann-json3-dev libhwy-dev libgtest-dev
     zlib1g-dev libzstd-dev libopenexr-dev libgdal-dev libproj-dev libepoxy-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
+    libglfw3-dev libimgui-dev
 )
 test_packages=(
     librsvg2-bin  # rasterises Limn's SVG files, to compare them with its PNG files
     poppler-utils # and its PDF files
     glslang-tools # compiles the formulas as GLSL
     libosd-dev    # subdivides too, independently
+    xvfb          # a display for windows to be tested on
 )
 model_packages=(glmark2-data)  # the Stanford bunny
 

@@ -102,6 +102,6 @@ int main(int argc, char** argv)
     app.formatter(std::make_shared<HelpFormatter>());
     app.require_subcommand(0, 1);
     const std::vector<Subcommand> subcommands = {add_bench(app), add_completions(app), add_draw(app),
-                                                 add_info(app), add_man(app), add_render(app), add_sample(app), add_shadow(app), add_subdivide(app), add_terrain(app)};
+                                                 add_info(app), add_man(app), add_render(app), add_sample(app), add_shadow(app), add_subdivide(app), add_terrain(app), add_view(app)};
     return run(app, subcommands, argc, argv);
 }

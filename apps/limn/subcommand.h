@@ -20,3 +20,4 @@ Subcommand add_sample(CLI::App& limn);
 Subcommand add_shadow(CLI::App& limn);
 Subcommand add_subdivide(CLI::App& limn);
 Subcommand add_terrain(CLI::App& limn);
+Subcommand add_view(CLI::App& limn);

@@ -105,15 +105,7 @@ public:
 private:
     double relief() const { return double(pyramid_.highest()) - double(pyramid_.lowest()); }
     Mesh mesh(const PyramidTest& test) { return pyramid_mesh(pyramid_, pyramid_leaves(tiles_, test), command_.build.exaggerate); }
-    Camera place_camera()
-    {
-        constexpr double share_of_relief = 1.0 / 500, large = 2048 * 2048;
-        const double exaggerate = command_.build.exaggerate, samples = double(pyramid_.frame().columns) * pyramid_.frame().rows;
-        // The larger the map, the coarser: it is only looked at from where all of it can be seen.
-        const double tolerance = exaggerate * relief() * share_of_relief * std::max(1.0, samples / large);
-        const Mesh coarse = mesh(metric_test(pyramid_, tolerance, 0, exaggerate));
-        return place_terrain_camera(command_.view, coarse).cameras.front();
-    }
+    Camera place_camera() { return place_terrain_camera(command_.view, coarse_pyramid_mesh(tiles_, command_.build.exaggerate)).cameras.front(); }
     /// What a view that may hold so many tiles shows once they have arrived.
     Mesh mesh_within_memory(const TerrainBound& asked)
     {

@@ -10,7 +10,7 @@
 namespace limn::test {
 namespace {
 
-const std::vector<std::string> subcommands = {"bench", "completions", "draw", "info", "man", "sample", "shadow", "subdivide", "terrain"};
+const std::vector<std::string> subcommands = {"bench", "completions", "draw", "info", "man", "sample", "shadow", "subdivide", "terrain", "view"};
 
 /// The long options that a help text lists.
 std::set<std::string> options_in_help(const std::string& command)

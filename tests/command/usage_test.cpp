@@ -27,7 +27,7 @@ TEST_F(Usage, HelpAndVersionGoToStandardOutput)
 
 TEST_F(Usage, EverySubcommandHasHelpWithExamplesWithinAHundredColumns)
 {
-    for (const std::string command : {"bench", "completions", "draw", "info", "man", "render", "sample", "shadow", "subdivide", "terrain"}) {
+    for (const std::string command : {"bench", "completions", "draw", "info", "man", "render", "sample", "shadow", "subdivide", "terrain", "view"}) {
         const ProgramResult help = limn(command + " --help");
         EXPECT_EQ(help.exit_code, 0);
         EXPECT_NE(help.output.find("Usage: limn " + command), std::string::npos);

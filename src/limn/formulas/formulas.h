@@ -43,6 +43,7 @@ using glm::sin;
 #include "limn/formulas/suggestive_line.glsl"
 #include "limn/formulas/supersampling.glsl"
 #include "limn/formulas/terrain_bound.glsl"
+#include "limn/formulas/terrain_colour.glsl"
 #include "limn/formulas/terrain_error.glsl"
 #include "limn/formulas/texture_lines.glsl"
 #include "limn/formulas/thread.glsl"

@@ -63,14 +63,6 @@ std::string text_of(GLenum name)
     return text ? text : "";
 }
 
-DriverInfo read_info()
-{
-    DriverInfo info = {text_of(GL_VENDOR), text_of(GL_RENDERER), text_of(GL_VERSION)};
-    info.software = info.renderer.find("llvmpipe") != std::string::npos || info.renderer.find("softpipe") != std::string::npos;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.max_texture_size);
-    return info;
-}
-
 #ifdef __SANITIZE_ADDRESS__
 /// Keeps the driver in memory to the end of the process: the leak checker looks then, and where the driver has gone with its pointers, what
 /// it holds for the next context looks lost.
@@ -110,6 +102,14 @@ const char* error_name(GLenum error)
 }
 
 } // namespace
+
+DriverInfo current_driver()
+{
+    DriverInfo info = {text_of(GL_VENDOR), text_of(GL_RENDERER), text_of(GL_VERSION)};
+    info.software = info.renderer.find("llvmpipe") != std::string::npos || info.renderer.find("softpipe") != std::string::npos;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.max_texture_size);
+    return info;
+}
 
 struct Context::Egl {
     EGLDisplay display = EGL_NO_DISPLAY;
@@ -159,7 +159,7 @@ Context::Context()
         const std::string failure = egl->open(route);
         if (failure.empty()) {
             egl_ = std::move(egl);
-            info_ = read_info();
+            info_ = current_driver();
             keep_driver();
             return;
         }

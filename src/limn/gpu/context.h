@@ -14,6 +14,9 @@ struct DriverInfo {
     int max_texture_size = 0;              ///< texels along an edge
 };
 
+/// Of the context that is current.
+DriverInfo current_driver();
+
 /// An OpenGL 4.5 core context without a window (EGL): hardware devices first, then the driver's own choice, which is Mesa's
 /// software renderer where there is no other. It is current on the thread that made it, and every object of this folder must
 /// be used on that thread while it lives. One at a time in a thread.

@@ -187,6 +187,21 @@ std::vector<vec4> Framebuffer::read_floats(int index) const { return read_textur
 std::vector<unsigned> Framebuffer::read_unsigned(int index) const { return read_texture<unsigned>(colour(index), size_, GL_RED_INTEGER, GL_UNSIGNED_INT); }
 std::vector<float> Framebuffer::read_depth() const { return read_texture<float>(depth_, size_, GL_DEPTH_COMPONENT, GL_FLOAT); }
 
+float Framebuffer::depth_at(const ivec2& pixel) const
+{
+    float value = 0;
+    glGetTextureSubImage(depth_.id(), 0, pixel.x, pixel.y, 0, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof value, &value);
+    return value;
+}
+
+void Framebuffer::copy_to_window(const ivec2& size) const
+{
+    const GLenum filter = size == size_ ? GL_NEAREST : GL_LINEAR;
+    glBlitNamedFramebuffer(name_.id(), 0, 0, 0, size_.x, size_.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, filter);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+}
+
 DrawnQuery::DrawnQuery()
 {
     unsigned id = 0;

@@ -131,6 +131,12 @@ public:
     std::vector<vec4> read_floats(int colour) const;
     std::vector<unsigned> read_unsigned(int colour) const;
     std::vector<float> read_depth() const;
+    /// The value of the depth buffer at a pixel, rows from the bottom. Waits for the device.
+    float depth_at(const ivec2& pixel) const;
+    /// Fills the window of the context with the first colour picture; twice as large as the window, four pixels become one. Draws go
+    /// to the window then.
+    /// @param size  of the window, pixels
+    void copy_to_window(const ivec2& size) const;
 
 private:
     ivec2 size_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "limn/scene/sample_slope.h"
+#include "limn/terrain/sample_slope.h"
 
 namespace limn {
 namespace {

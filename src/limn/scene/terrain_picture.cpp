@@ -8,8 +8,9 @@
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
+#include "limn/formulas/formulas.h"
 #include "limn/raycast/ray_scene.h"
-#include "limn/scene/sample_slope.h"
+#include "limn/terrain/sample_slope.h"
 
 namespace limn {
 namespace {
@@ -26,16 +27,6 @@ double slope(const HeightMap& map, const ivec2& at, const ivec2& step)
 dvec3 normal_at_sample(const HeightMap& map, const ivec2& p)
 {
     return glm::normalize(dvec3(-slope(map, p, {1, 0}) / map.spacing.x, slope(map, p, {0, 1}) / map.spacing.y, 1)); // rows run south
-}
-
-/// Heights from 0 (lowest) to 1, as hand-made relief maps have them.
-vec3 tint(float height)
-{
-    static constexpr std::array<vec3, 6> ramp = {vec3(0.47f, 0.62f, 0.42f), vec3(0.72f, 0.77f, 0.53f), vec3(0.89f, 0.84f, 0.62f),
-                                                 vec3(0.80f, 0.67f, 0.48f), vec3(0.70f, 0.60f, 0.53f), vec3(0.97f, 0.96f, 0.95f)};
-    const float place = glm::clamp(height, 0.0f, 1.0f) * float(ramp.size() - 1);
-    const std::size_t i = std::min(std::size_t(place), ramp.size() - 2);
-    return glm::mix(ramp[i], ramp[i + 1], place - float(i));
 }
 
 /// The mesh in floats around the middle of its box, as rays need it.
@@ -60,12 +51,10 @@ private:
 class Painter {
 public:
     Painter(const GroundNormal& normal, const Mesh& mesh, const Camera& camera, const TerrainPictureOptions& options, const GroundColour& colour)
-        : normal_(normal), camera_(camera), options_(options), drape_(colour), terrain_(mesh), rays_(std::array{terrain_.triangles()})
+        : normal_(normal), camera_(camera), options_(options), drape_(colour), terrain_(mesh), rays_(std::array{terrain_.triangles()}), sun_(sun_direction(options))
     {
         const Bounds bounds = mesh.bounds();
         low_ = bounds.empty() ? 0 : bounds.low.z, relief_ = bounds.empty() ? 0 : bounds.high.z - low_;
-        const double azimuth = glm::radians(options.sun_azimuth), height = glm::radians(options.sun_height);
-        sun_ = {std::sin(azimuth) * std::cos(height), std::cos(azimuth) * std::cos(height), std::sin(height)};
     }
     vec3 pixel(int x, int y) const
     {
@@ -84,7 +73,7 @@ private:
         if (!hit)
             return options_.background;
         const dvec3 p = ray.origin + double(hit.distance) * ray.direction;
-        return light(normal_(p)) * ground(p);
+        return formulas::terrain_light(vec3(normal_(p)), sun_) * ground(p);
     }
     vec3 ground(const dvec3& p) const
     {
@@ -96,15 +85,8 @@ private:
     vec3 bare_ground(double z) const
     {
         if (options_.colours == TerrainPictureOptions::Colours::plain)
-            return vec3(0.9f);
-        return tint(relief_ > 0 ? float((z - low_) / relief_) : 0.5f);
-    }
-    /// Light of the sky and of the sun: flat ground is as bright as its colour.
-    float light(const dvec3& normal) const
-    {
-        constexpr double sky = 0.35;
-        const double flat = std::max(sun_.z, 0.2), lit = std::max(0.0, glm::dot(normal, sun_)) / flat;
-        return float(std::min(sky + (1 - sky) * lit, 1.12));
+            return plain_ground;
+        return formulas::terrain_tint(relief_ > 0 ? float((z - low_) / relief_) : 0.5f);
     }
     const GroundNormal& normal_;
     const Camera& camera_;
@@ -113,7 +95,7 @@ private:
     RayTerrain terrain_;
     RayScene rays_;
     double low_ = 0, relief_ = 0;
-    dvec3 sun_;
+    vec3 sun_;
 };
 
 void check(const TerrainPictureOptions& options)
@@ -125,6 +107,12 @@ void check(const TerrainPictureOptions& options)
 }
 
 } // namespace
+
+vec3 sun_direction(const TerrainPictureOptions& options)
+{
+    const double azimuth = glm::radians(options.sun_azimuth), height = glm::radians(options.sun_height);
+    return vec3(dvec3(std::sin(azimuth) * std::cos(height), std::cos(azimuth) * std::cos(height), std::sin(height)));
+}
 
 const OptionTable<TerrainPictureOptions>& terrain_picture_option_table()
 {

@@ -27,6 +27,12 @@ struct TerrainPictureOptions {
     vec3 background = vec3(1); ///< encoded (sRGB)
 };
 
+/// The colour of ground that is coloured plainly, encoded.
+constexpr vec3 plain_ground = vec3(0.9f);
+
+/// The unit vector towards the sun.
+vec3 sun_direction(const TerrainPictureOptions& options);
+
 /// The options as data: colours, sun and samples.
 const OptionTable<TerrainPictureOptions>& terrain_picture_option_table();
 

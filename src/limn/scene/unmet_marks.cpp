@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "limn/formulas/formulas.h"
 #include "limn/geometry/bounds.h"
 
 namespace limn {
 namespace {
-
-constexpr vec4 mark = {0.85f, 0.1f, 0.35f, 0.55f};
 
 std::vector<vec3> seen_from_above(const Mesh& mesh, const dvec2& low, double size)
 {
@@ -36,7 +35,7 @@ UnmetMarks::UnmetMarks(const Mesh& mesh)
 vec4 UnmetMarks::colour(const dvec3& place) const
 {
     const vec2 at((dvec2(place) - low_) / size_);
-    return rays_.occluded({vec3(at, 1), {0, 0, -1}, 0, 2}) ? mark : vec4(0);
+    return rays_.occluded({vec3(at, 1), {0, 0, -1}, 0, 2}) ? formulas::unmet_mark() : vec4(0);
 }
 
 } // namespace limn

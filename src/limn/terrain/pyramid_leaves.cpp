@@ -185,4 +185,14 @@ Mesh pyramid_mesh(const TerrainPyramid& pyramid, const std::vector<PyramidLeaf>&
     return mesh;
 }
 
+Mesh coarse_pyramid_mesh(TileCache& tiles, double exaggerate)
+{
+    constexpr double share_of_relief = 1.0 / 500, large = 2048 * 2048;
+    const TerrainPyramid& pyramid = tiles.pyramid();
+    const double relief = double(pyramid.highest()) - double(pyramid.lowest()), samples = double(pyramid.frame().columns) * pyramid.frame().rows;
+    // The larger the map, the coarser: it is only looked at from where all of it can be seen.
+    const double tolerance = exaggerate * relief * share_of_relief * std::max(1.0, samples / large);
+    return pyramid_mesh(pyramid, pyramid_leaves(tiles, metric_test(pyramid, tolerance, 0, exaggerate)), exaggerate);
+}
+
 } // namespace limn

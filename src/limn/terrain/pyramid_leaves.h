@@ -43,4 +43,7 @@ std::vector<PyramidLeaf> pyramid_leaves(TileCache& tiles, const PyramidTest& tes
 /// The mesh of leaves, as terrain_mesh() makes it of a whole map.
 Mesh pyramid_mesh(const TerrainPyramid& pyramid, const std::vector<PyramidLeaf>& leaves, double exaggerate = 1);
 
+/// A mesh for a camera to be fitted around: within a 500th of the relief, and coarser for maps of more than 4 M samples. @throws as pyramid_leaves()
+Mesh coarse_pyramid_mesh(TileCache& tiles, double exaggerate = 1);
+
 } // namespace limn

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "limn/base/error.h"
@@ -173,7 +175,7 @@ void TerrainPyramidView::take_arrivals()
     }
 }
 
-const TerrainPyramidView::Frame& TerrainPyramidView::update(const Camera& camera, const ViewTolerance& tolerance)
+const TerrainPyramidView::Frame& TerrainPyramidView::update(const Camera& camera, const ViewTolerance& tolerance, const std::vector<TileId>& others)
 {
     const Lattice& lattice = pyramid_.lattice();
     const PyramidTest test = view_test(pyramid_, camera, tolerance, 0, options_.exaggerate);
@@ -187,27 +189,39 @@ const TerrainPyramidView::Frame& TerrainPyramidView::update(const Camera& camera
                 frame_.unmet.push_back(std::uint32_t(frame_.leaves.size()));
             frame_.leaves.push_back(found);
         });
-    ask_for(tiles);
+    ask_for(tiles, others);
     return frame_;
 }
 
+SharedTile TerrainPyramidView::find(const TileId& id) const
+{
+    const auto resident = residents_.find(pyramid_.layout().index(id));
+    return resident == residents_.end() ? nullptr : resident->second.tile;
+}
+
 /// Asks for what is missing, that which shows most first, as far as the budget goes.
-void TerrainPyramidView::ask_for(const Tiles& tiles)
+void TerrainPyramidView::ask_for(const Tiles& tiles, const std::vector<TileId>& others)
 {
     const PyramidLayout& layout = pyramid_.layout();
-    std::vector<Tiles::Wanted> wanted = tiles.wanted();
+    std::vector<TileId> wanted;
+    std::unordered_set<std::size_t> known;
+    for (const Tiles::Wanted& tile : tiles.wanted()) {
+        wanted.push_back(tile.id);
+        known.insert(layout.index(tile.id));
+    }
     const std::size_t room = options_.budget / tile_bytes();
     frame_.over_budget = wanted.size() > room;
+    std::copy_if(others.begin(), others.end(), std::back_inserter(wanted), [&](const TileId& id) { return id.level < layout.top() && !known.contains(layout.index(id)); });
     wanted.resize(std::min(wanted.size(), room));
     std::vector<TileId> missing;
-    for (const Tiles::Wanted& tile : wanted) {
-        const std::size_t number = layout.index(tile.id);
+    for (const TileId& id : wanted) {
+        const std::size_t number = layout.index(id);
         if (const auto resident = residents_.find(number); resident != residents_.end())
             resident->second.last_used = frame_number_;
         else if (const auto fault = faults_.find(number); fault != faults_.end())
             frame_.fault = fault->second;
         else
-            missing.push_back(tile.id);
+            missing.push_back(id);
     }
     frame_.missing = missing.size();
     make_room(missing);
@@ -218,6 +232,7 @@ void TerrainPyramidView::ask_for(const Tiles& tiles)
 /// there is none left, the last of what is missing has to wait.
 void TerrainPyramidView::make_room(std::vector<TileId>& missing)
 {
+    loader_.want({}); // no reading begins while what is being read is counted
     const std::vector<TileId> under_way = loader_.under_way();
     const auto unwanted = std::count_if(under_way.begin(), under_way.end(),
                                         [&](const TileId& id) { return std::find(missing.begin(), missing.end(), id) == missing.end(); });

@@ -37,8 +37,9 @@ public:
         bool is_met() const { return unmet.empty(); }
     };
     /// The mesh of a camera out of the tiles that are there now; asks for those that are not.
+    /// @param others  tiles that are wanted besides, after all that the mesh needs, as far as the budget goes; `missing` counts them too
     /// @throws Error::Input as ViewTest does
-    const Frame& update(const Camera& camera, const ViewTolerance& tolerance = {});
+    const Frame& update(const Camera& camera, const ViewTolerance& tolerance = {}, const std::vector<TileId>& others = {});
     /// Updates until the bound is met, or cannot be within the budget. @throws Error::Read naming the file and the tile that cannot be read
     const Frame& finish(const Camera& camera, const ViewTolerance& tolerance = {});
     /// Waits until a tile arrives, if one is on its way.
@@ -46,6 +47,8 @@ public:
     /// Tiles that could not be read are tried again.
     void retry() { faults_.clear(); }
 
+    /// A tile if it is here, else null.
+    SharedTile find(const TileId& id) const;
     std::size_t bytes() const { return bytes_; }           ///< of tiles that are here
     std::size_t most_bytes() const { return most_bytes_; } ///< at any time, those on their way too
 
@@ -58,7 +61,7 @@ private:
 
     std::size_t tile_bytes() const;
     void take_arrivals();
-    void ask_for(const Tiles& tiles);
+    void ask_for(const Tiles& tiles, const std::vector<TileId>& others);
     void make_room(std::vector<TileId>& missing);
 
     const TerrainPyramid& pyramid_;
