@@ -113,7 +113,7 @@ private:
         last_frame_ms_ = ms_since(start);
         if (is_counted) {
             report_.frame_ms.push_back(last_frame_ms_);
-            report_.frames_unmet += shown_->step.unmet() > 0;
+            report_.frames_unmet += shown_->step.unmet > 0;
             view_.table = view_.table.turned(options_.turn_degrees, 0);
         }
     }
@@ -157,9 +157,10 @@ private:
         if (!answer)
             return;
         painter_.take(answer->step.model);
+        answer->step.model = {}; // the device has it
         report_.mesh_ms.push_back(answer->milliseconds);
-        report_.triangles = answer->step.model.triangles.size();
-        report_.unmet = answer->step.unmet();
+        report_.triangles = answer->step.triangles;
+        report_.unmet = answer->step.unmet;
         report_.missing = answer->step.missing;
         report_.most_tile_bytes = std::max(report_.most_tile_bytes, answer->step.tile_bytes);
         report_.fault = answer->step.fault;
@@ -173,7 +174,7 @@ private:
         const TerrainStep& step = shown_->step;
         PanelFacts facts = {bound_status(step, settings_.pixels, is_same_view(shown_->request, wanted_)), {}, !step.fault.empty()};
         facts.lines.push_back(
-            fmt::format("{} triangles, {:.1f} MB of tiles", step.model.triangles.size(), double(step.tile_bytes) / (1 << 20)));
+            fmt::format("{} triangles, {:.1f} MB of tiles", step.triangles, double(step.tile_bytes) / (1 << 20)));
         facts.lines.push_back(fmt::format("{:.1f} ms a frame, {:.1f} ms the mesh", last_frame_ms_, shown_->milliseconds));
         if (step.under_ground > 0)
             facts.lines.push_back(fmt::format("the eye is {:.4g} m under the ground", step.under_ground));

@@ -74,7 +74,7 @@ TEST_F(TerrainPainting, ShowsWhatRaysShow)
             camera.ortho_height = 190;
             const auto terrain = moving_map(map);
             const TerrainStep step = terrain->step(camera, {.pixels = 0.5});
-            ASSERT_EQ(step.unmet(), 0u);
+            ASSERT_EQ(step.unmet, 0u);
             TerrainPictureOptions options;
             options.samples = 1;
             if (plain)

@@ -91,10 +91,10 @@ TEST_F(MovingTerrains, ShowTheMeshOfTheViewFromAMapAndInTheEndFromAPyramid)
         const Mesh mesh = expected(camera(along), 0.5);
         const TerrainStep of_map = map->step(camera(along), {.pixels = 0.5});
         EXPECT_TRUE(of_map.is_settled());
-        EXPECT_EQ(of_map.unmet(), 0u);
+        EXPECT_EQ(of_map.unmet, 0u);
         expect_same_mesh(of_map, mesh);
         const TerrainStep of_pyramid = settle(*pyramid, camera(along), 0.5);
-        EXPECT_EQ(of_pyramid.unmet(), 0u);
+        EXPECT_EQ(of_pyramid.unmet, 0u);
         expect_same_mesh(of_pyramid, mesh);
         expect_same_normals(of_pyramid.model.normals, of_map.model.normals);
     }
@@ -106,10 +106,10 @@ TEST_F(MovingTerrains, TellWhereTheBoundIsNotMetWhileTilesAreRead)
     const auto pyramid = moving_pyramid(path_, std::size_t(256) << 20);
     const TerrainStep first = pyramid->step(camera(), {.pixels = 0.2});
     EXPECT_GT(first.missing, 0u);
-    EXPECT_GT(first.unmet(), 0u);
-    EXPECT_LT(first.unmet(), first.model.triangles.size());
+    EXPECT_GT(first.unmet, 0u);
+    EXPECT_LT(first.unmet, first.model.triangles.size());
     EXPECT_EQ(first.fault, "");
-    EXPECT_EQ(settle(*pyramid, camera(), 0.2).unmet(), 0u);
+    EXPECT_EQ(settle(*pyramid, camera(), 0.2).unmet, 0u);
 }
 
 TEST_F(MovingTerrains, TellWhatDoesNotFitIntoMemory)
@@ -117,7 +117,7 @@ TEST_F(MovingTerrains, TellWhatDoesNotFitIntoMemory)
     const auto pyramid = moving_pyramid(path_, std::size_t(2) << 20);
     const TerrainStep step = settle(*pyramid, camera(), 0.05);
     EXPECT_TRUE(step.over_budget);
-    EXPECT_GT(step.unmet(), 0u);
+    EXPECT_GT(step.unmet, 0u);
     EXPECT_EQ(step.fault, "");
     const ivec2 tops = pyramid->layout().tiles(pyramid->layout().top());
     const std::size_t points = std::size_t(pyramid->layout().tile_points()),
@@ -142,12 +142,12 @@ TEST_F(MovingTerrains, GoOnWithoutATileThatCannotBeReadAndTryItAgain)
     const auto pyramid = moving_pyramid(path_, std::size_t(256) << 20);
     const TerrainStep step = settle(*pyramid, camera(), 0.2);
     EXPECT_NE(step.fault.find("is damaged"), std::string::npos) << step.fault;
-    EXPECT_GT(step.unmet(), 0u);
+    EXPECT_GT(step.unmet, 0u);
     flip();
     pyramid->retry();
     const TerrainStep again = settle(*pyramid, camera(), 0.2);
     EXPECT_EQ(again.fault, "");
-    EXPECT_EQ(again.unmet(), 0u);
+    EXPECT_EQ(again.unmet, 0u);
 }
 
 TEST_F(MovingTerrains, RaiseHeights)

@@ -10,8 +10,8 @@ using Kind = BoundStatus::Kind;
 TerrainStep step_of(std::size_t triangles, std::size_t met)
 {
     TerrainStep step;
-    step.model.triangles.resize(triangles);
-    step.model.met = met;
+    step.triangles = triangles;
+    step.unmet = triangles - met;
     return step;
 }
 

@@ -37,7 +37,9 @@ void TileTextures::make_room(std::size_t layers)
 {
     if (layers <= layers_)
         return;
-    layers_ = std::max<std::size_t>({layers, 2 * layers_, 32});
+    constexpr std::size_t more = 32;
+    texture_ = {}; // before there are both
+    layers_ = (layers + more - 1) / more * more;
     texture_ = make_layers(layout_.tile_points(), layers_);
     residents_.clear();
 }

@@ -48,6 +48,8 @@ public:
         step.model.normals = normals_.of(wanted, tiles, map.spacing, 1, [&](const TileId& id) {
             return std::make_shared<const TerrainTile>(tile_of_map(map, tiles, id));
         });
+        step.triangles = step.model.triangles.size();
+        step.unmet = step.triangles - step.model.met;
         step.under_ground = under_ground(camera);
         return step;
     }

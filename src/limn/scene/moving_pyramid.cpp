@@ -35,6 +35,8 @@ public:
         step.model = model(frame, camera.eye);
         step.model.normals =
             normals_.of(wanted, tiles, pyramid_.frame().spacing, factor_, [&](const TileId& id) { return view_->find(id); });
+        step.triangles = step.model.triangles.size();
+        step.unmet = step.triangles - step.model.met;
         step.under_ground = under_ground(camera);
         return step;
     }

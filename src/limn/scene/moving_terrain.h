@@ -16,13 +16,13 @@ namespace limn {
 /// What a window shows of a terrain for one camera.
 struct TerrainStep {
     gpu::TerrainModel model;    ///< the triangles that may break the bound come last
+    std::size_t triangles = 0, unmet = 0; ///< of them all, and of those
     std::size_t missing = 0;    ///< tiles that are still to be read, for the mesh or for its light
     std::size_t tile_bytes = 0; ///< of tiles in memory
     bool over_budget = false;   ///< more tiles are needed than memory is allowed
     std::string fault;          ///< of a tile that cannot be read, or ""
     double under_ground = 0;    ///< metres that the eye is under the terrain; 0 where it is above it or beside
 
-    std::size_t unmet() const { return model.triangles.size() - model.met; }
     bool is_settled() const { return missing == 0; } ///< nothing comes any more while the camera stands
 };
 
