@@ -216,7 +216,7 @@ std::string text_of(const PatternBench& bench, const Tables& tables)
         "Nanoseconds a pixel, medians of {} runs:\n\n{}\n"
         "Moiré: energy at up to {} of the pattern's lowest frequency, of what is not the pattern's mean, on {} x {} pixels without perspective, summed from half a period or "
         "one period a pixel to {:.0f} in quarters of an octave; as a share of the seed's, and the seed's:\n\n{}\n"
-        "Milliseconds a frame of a blob, all threads: on the processor (rays, the filter, one sample a pixel), and on the device ({}) with the filter, with outlines of 4 samples, and "
+        "Milliseconds a frame, all threads: on the processor (rays, the filter, one sample a pixel), and on the device ({}) with the filter, with outlines of 4 samples, and "
         "with the seed's 50 samples for every pixel; frames a second are those of the device's filter:\n\n{}\n"
         "Prints beside the truth: the model's slices as real steps, flat or with the round edge of a single wall's beads, met by {} rays a pixel of the same kernel, under the same "
         "light, its disc, sky and floor with what hides them; {} px wide, a studio's light, grey PETG. FLIP (Andersson et al. 2020; 0 is equal, {:.0f} px a degree) of each model, and "

@@ -17,9 +17,17 @@ using namespace limn;
 
 namespace {
 
-constexpr std::size_t triangle_counts[] = {70000, 400000};
+/// The study's cases: a print of about as many triangles as the bunny and a large one, a box of bricks, a ball of thread.
+struct Case {
+    PatternKind kind;
+    const char *name, *shape;
+    std::size_t triangles;
+};
+constexpr Case cases[] = {{PatternKind::layers, "layers", "blob", 70000},
+                          {PatternKind::layers, "layers", "blob", 400000},
+                          {PatternKind::bricks, "bricks", "cube", 12},
+                          {PatternKind::thread, "thread", "sphere", 5000}};
 const ivec2 sizes[] = {{500, 500}, {1920, 1080}};
-constexpr std::pair<PatternKind, const char*> kinds[] = {{PatternKind::layers, "layers"}, {PatternKind::bricks, "bricks"}, {PatternKind::thread, "thread"}};
 
 std::optional<gpu::Context> context_if_any()
 {
@@ -68,31 +76,31 @@ FrameTimes time_pattern_frames(int runs, Console& console)
     const std::optional<gpu::Context> context = context_if_any();
     times.device = context ? context->info().renderer : "none";
     int done = 0;
-    for (const std::size_t triangles : triangle_counts) {
+    for (const Case& subject : cases) {
         Scene scene;
         SceneObject object;
-        object.mesh = std::make_shared<const Mesh>(make_shape({.name = "blob", .triangles = triangles}).mesh);
+        object.mesh = std::make_shared<const Mesh>(make_shape({.name = subject.shape, .triangles = subject.triangles}).mesh);
         scene.objects = {object};
         const SceneModel model = prepare_scene(scene);
         std::optional<gpu::PatternRenderer> renderer;
         if (context)
             renderer.emplace(model.lines);
-        for (const auto& [kind, name] : kinds)
-            for (const ivec2& size : sizes) {
-                console.progress(fmt::format("frames of {}, {} triangles", name, triangles), double(done++) / double(std::size(kinds) * std::size(sizes) * std::size(triangle_counts)));
-                Frame frame = {seen_scene(model.lines, model.rays), Camera::framing(model.bounds, {.view = "35,22", .up_axis = 'z', .size = size}), {}};
-                frame.options.kind = kind;
-                frame.options.layer_height = 0.6;
-                std::vector<std::string> row = {name, fmt::format("{}", model.lines.faces.size()), fmt::format("{} x {}", size.x, size.y), fmt::format("{:.1f}", frame.on_processor(runs))};
-                if (renderer) {
-                    const double filter = frame.on_device(*renderer, runs, 1, 0);
-                    row.insert(row.end(), {fmt::format("{:.1f}", filter), fmt::format("{:.1f}", frame.on_device(*renderer, runs, 4, 0)), fmt::format("{:.0f}", frame.on_device(*renderer, 1, 1, 50)),
-                                           fmt::format("{:.0f}", 1000 / filter)});
-                } else {
-                    row.insert(row.end(), 4, "-");
-                }
-                times.table.add(row);
+        for (const ivec2& size : sizes) {
+            console.progress(fmt::format("frames of {}, {} triangles", subject.name, subject.triangles), double(done++) / double(std::size(cases) * std::size(sizes)));
+            Frame frame = {seen_scene(model.lines, model.rays), Camera::framing(model.bounds, {.view = "35,22", .up_axis = 'z', .size = size}), {}};
+            frame.options.kind = subject.kind;
+            frame.options.layer_height = 0.6;
+            std::vector<std::string> row = {subject.name, fmt::format("{}, {}", subject.shape, model.lines.faces.size()), fmt::format("{} x {}", size.x, size.y),
+                                            fmt::format("{:.1f}", frame.on_processor(runs))};
+            if (renderer) {
+                const double filter = frame.on_device(*renderer, runs, 1, 0);
+                row.insert(row.end(), {fmt::format("{:.1f}", filter), fmt::format("{:.1f}", frame.on_device(*renderer, runs, 4, 0)),
+                                       fmt::format("{:.0f}", frame.on_device(*renderer, runs, 1, 50)), fmt::format("{:.0f}", 1000 / filter)});
+            } else {
+                row.insert(row.end(), 4, "-");
             }
+            times.table.add(row);
+        }
     }
     return times;
 }

@@ -7,9 +7,9 @@
 
 /// Milliseconds for a frame of each pattern: on the processor, and on a device as a window draws it.
 struct FrameTimes {
-    MarkdownTable table = MarkdownTable({"pattern", "triangles", "picture", "processor", "device", "outlines of 4 samples", "50 samples", "frames a second"});
+    MarkdownTable table = MarkdownTable({"pattern", "shape, triangles", "picture", "processor", "device", "outlines of 4 samples", "50 samples", "frames a second"});
     std::string device; ///< its name; "none" where there is none
 };
 
-/// @param runs  to take medians over, at least 1; the 50 samples run once
+/// @param runs  to take medians over, at least 1
 FrameTimes time_pattern_frames(int runs, Console& console);

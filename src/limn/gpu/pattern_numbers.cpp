@@ -101,7 +101,7 @@ PatternProgramText program_text(const PatternPaint& paint)
 {
     PatternProgramText text = std::visit(KindText{paint.cusps}, paint.patterns.front().lit.front());
     text.macros += macro("TABLE_WIDTH", table_width) + macro("OWN_PATTERNS", paint.patterns.size() > 1) + macro("PATTERN_KERNEL", paint.kernel) +
-                   macro("PATTERN_SAMPLED", !paint.samples.empty() && !paint.cusps) + macro("SEE_THROUGH", paint.see_through);
+                   macro("PATTERN_SAMPLED", !paint.samples.empty() && !paint.cusps);
     return text;
 }
 

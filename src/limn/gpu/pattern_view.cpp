@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
@@ -17,16 +18,22 @@ namespace limn::gpu {
 namespace {
 
 /// As in the shaders.
-enum Binding : unsigned { face_normals_at = 2, patterns_at, sums_at, ground_at, palette_at, mask_at };
-enum TextureBinding : unsigned { first_texture, tops_texture, samples_texture };
+enum Binding : unsigned { faces_at = 2, patterns_at, sums_at, ground_at, palette_at, mask_at };
+enum TextureBinding : unsigned { first_texture, tops_texture, samples_texture, places_texture, facings_texture };
 
-constexpr int most_sides = 12;      ///< that are seen through holes, one behind the other
+constexpr int most_sides = 12; ///< that are seen through holes, one behind the other
 constexpr int palette_size = 256;
 
-Program fragment_program(const PatternProgramText& text)
+Program program_of(const std::string& vertices, const std::string& fragments, const std::string& macros)
 {
     const std::string include = "#include \"limn/gpu/shaders/";
-    return Program({{Stage::vertex, "pattern.vert", include + "pattern.vert\"\n"}, {Stage::fragment, text.file, text.macros + include + text.file + "\"\n"}});
+    return Program(
+        {{Stage::vertex, vertices, include + vertices + "\"\n"}, {Stage::fragment, fragments, macros + include + fragments + "\"\n"}});
+}
+
+Program surface_program(bool behind)
+{
+    return program_of("pattern.vert", "pattern_surface.frag", fmt::format("#define BEHIND {}\n", int(behind)));
 }
 
 std::vector<vec4> cusp_palette()
@@ -37,18 +44,37 @@ std::vector<vec4> cusp_palette()
     return palette;
 }
 
-/// Of every face: unit, or zero where it has no area.
-std::vector<vec4> face_normals_of(const LineModel& model)
+/// Of every face its unit normal, or zero where it has no area, and the object that it belongs to.
+std::vector<vec4> faces_of(const LineModel& model)
 {
-    std::vector<vec4> normals(model.faces.size(), vec4(0));
-    parallel_each(normals.size(), 8192, [&](std::size_t i) {
+    std::vector<vec4> faces(model.faces.size());
+    parallel_each(faces.size(), 8192, [&](std::size_t i) {
         const uvec3& t = model.faces[i];
         const vec3 a = model.positions[t.x], n = glm::cross(model.positions[t.y] - a, model.positions[t.z] - a);
         const float size = glm::length(n);
-        if (size > 0)
-            normals[i] = vec4(n / size, 0);
+        faces[i] = vec4(size > 0 ? n / size : vec3(0), float(model.object_of_face(std::uint32_t(i))));
     });
-    return normals;
+    return faces;
+}
+
+/// Whether from outside nothing but fronts of faces can be seen: every part is closed, and faces outwards.
+bool shows_fronts_only(const LineModel& model)
+{
+    if (std::find(model.open_component.begin(), model.open_component.end(), 1) != model.open_component.end())
+        return false;
+    std::vector<double> volumes(model.open_component.size());
+    for (std::size_t i = 0; i < model.faces.size(); ++i) {
+        const uvec3& t = model.faces[i];
+        volumes[model.component[i]] +=
+            glm::dot(dvec3(model.positions[t.x]), glm::cross(dvec3(model.positions[t.y]), dvec3(model.positions[t.z])));
+    }
+    return std::all_of(volumes.begin(), volumes.end(), [](double volume) { return volume > 0; });
+}
+
+/// Whether the eye, and what is nearer than it, is outside of the model's sphere.
+bool is_outside(const Projector& p)
+{
+    return p.orthographic ? glm::dot(dvec3(p.eye), dvec3(p.forward)) < -1 : glm::length(dvec3(p.eye)) > 1;
 }
 
 /// Numbers row by row, table_width in each but the last.
@@ -68,7 +94,8 @@ std::vector<float> in_turn(const std::vector<vec2>& places)
     return numbers;
 }
 
-std::vector<Format> formats(bool edges) { return edges ? std::vector{Format::rgba32f, Format::rgba32f, Format::rgba32f} : std::vector{Format::rgba32f}; }
+/// Places and facings.
+Framebuffer surfaces_of(const ivec2& size) { return Framebuffer(size, {Format::rgba32f, Format::rgba32f}); }
 
 void dispatch(const Program& program, ivec2 size)
 {
@@ -93,17 +120,20 @@ struct PatternRenderer::Picture {
     const Program& program;
 };
 
-PatternRenderer::Targets::Targets(const ivec2& of, bool through, bool with_edges)
-    : size(of), see_through(through), edges(with_edges), whole(of, formats(edges && !through)), sums(std::size_t(of.x) * std::size_t(of.y) * sizeof(vec4)),
+PatternRenderer::Targets::Targets(const ivec2& of, bool through, bool edges)
+    : size(of), whole(of, {Format::rgba32f}), sums(std::size_t(of.x) * std::size_t(of.y) * sizeof(vec4)),
       mask(edges ? std::size_t(of.x) * std::size_t(of.y) * sizeof(unsigned) : sizeof(unsigned))
 {
-    if (through)
-        sides = {Framebuffer(of, formats(true)), Framebuffer(of, formats(true)), Framebuffer(of, formats(true))};
+    for (int side = 0; side < (through ? 3 : 1); ++side)
+        sides.push_back(surfaces_of(of));
+    has_edges = edges;
 }
 
 PatternRenderer::PatternRenderer(const LineModel& model, int largest_tile)
-    : model_(model), largest_tile_(largest_tile), buffers_(model), face_normals_(face_normals_of(model)), backdrop_(load_program({"fill.vert", "pattern_backdrop.frag"})),
-      side_(load_program({"fill.vert", "pattern_side.frag"})), mask_(load_program({"fill.vert", "pattern_mask.frag"})), edges_(load_program({"pattern_edges.comp"})), gather_(load_program({"lit_gather.comp"})),
+    : model_(model), largest_tile_(largest_tile), buffers_(model), faces_(faces_of(model)), fronts_only_(shows_fronts_only(model)),
+      surface_(surface_program(false)), behind_(surface_program(true)), backdrop_(load_program({"fill.vert", "pattern_backdrop.frag"})),
+      there_(load_program({"fill.vert", "pattern_there.frag"})), mask_(load_program({"fill.vert", "pattern_mask.frag"})),
+      edges_(load_program({"pattern_edges.comp"})), gather_(load_program({"lit_gather.comp"})),
       resolve_(load_program({"pattern_resolve.comp"})), no_vertices_(make_vertex_array())
 {
 }
@@ -111,7 +141,7 @@ PatternRenderer::PatternRenderer(const LineModel& model, int largest_tile)
 PatternRenderer::Targets& PatternRenderer::targets_for(const ivec2& size, const PatternPaint& paint)
 {
     const bool edges = paint.edge_samples > 1;
-    if (!targets_ || targets_->size != size || targets_->see_through != paint.see_through || targets_->edges != edges) {
+    if (!targets_ || targets_->size != size || targets_->sides.size() != (paint.see_through ? 3u : 1u) || targets_->has_edges != edges) {
         targets_.reset();
         targets_.emplace(size, paint.see_through, edges);
     }
@@ -124,7 +154,7 @@ const Program& PatternRenderer::program_for(const PatternPaint& paint)
     const std::string key = text.file + "\n" + text.macros;
     auto known = programs_.find(key);
     if (known == programs_.end())
-        known = programs_.emplace(key, fragment_program(text)).first;
+        known = programs_.emplace(key, program_of("fill.vert", text.file, text.macros)).first;
     const Program& program = known->second;
     program.set("kernel_width", paint.width);
     program.set("flat_faces", int(paint.flat));
@@ -167,31 +197,80 @@ void PatternRenderer::hide_others(const Framebuffer& into, const Tile& tile) con
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     mask_.set("tile_width", tile.size.x);
     mask_.use();
-    glBindVertexArray(no_vertices_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    fill();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_LESS);
 }
 
-void PatternRenderer::draw_surfaces(const Picture& picture, const Framebuffer& into, const Tile& tile, const dvec2& offset, bool edges_only, int side) const
+void PatternRenderer::draw_surfaces(const Picture& picture, const Framebuffer& into, const Tile& tile, const dvec2& offset, bool edges_only,
+                                    const Framebuffer* before) const
 {
     const Projector& p = picture.projector;
-    const Program& program = picture.program;
+    const Program& program = before ? behind_ : surface_;
     program.set("to_clip", clip_matrix(p, tile, offset));
     program.set("eye", vec3(p.eye));
     program.set("forward", vec3(p.forward));
     program.set("orthographic", int(p.orthographic));
-    program.set("corner", corner_of(tile, offset));
-    program.set("middle", vec2(p.middle));
     program.set("pixel_size", float(1 / p.scale));
-    program.set("side", side);
+    into.clear(0, vec4(0)); // where places say that nothing is there, nobody reads the rest
     into.clear_depth();
     if (edges_only)
         hide_others(into, tile);
     into.bind();
     glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
     buffers_.bind();
-    face_normals_.bind_storage(face_normals_at); // of ModelBuffers, these shaders need no faces
+    if (before)
+        bind_texture(before->colour(0), first_texture);
+    program.use();
+    const bool passes_by_backs = fronts_only_ && targets_->sides.size() == 1 && is_outside(p);
+    if (passes_by_backs)
+        glEnable(GL_CULL_FACE);
+    query_.start();
+    buffers_.draw();
+    query_.stop();
+    glDisable(GL_CULL_FACE);
+}
+
+void PatternRenderer::fill() const
+{
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void PatternRenderer::lay_under(const Program& program, const Targets& targets) const
+{
+    targets.whole.bind();
+    if (targets.sides.size() > 1)
+        glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    program.use();
+    fill();
+    glDisable(GL_BLEND);
+}
+
+void PatternRenderer::shade(const Picture& picture, const Framebuffer& surfaces, const Targets& targets, const Tile& tile,
+                            const dvec2& offset) const
+{
+    const Projector& p = picture.projector;
+    const Program& program = picture.program;
+    bind_texture(surfaces.colour(0), places_texture);
+    bind_texture(surfaces.colour(1), facings_texture);
+    faces_.bind_storage(faces_at); // of ModelBuffers, these shaders need no faces
+    // Drivers pass by what a test of depths hides; a pixel that a shader finds empty by itself may cost them as much as any other.
+    targets.whole.clear_depth();
+    targets.whole.bind();
+    glEnable(GL_DEPTH_TEST);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    there_.use();
+    fill();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    program.set("eye", vec3(p.eye));
+    program.set("forward", vec3(p.forward));
+    program.set("orthographic", int(p.orthographic));
+    program.set("corner", corner_of(tile, offset));
+    program.set("middle", vec2(p.middle));
+    program.set("sample_count", int(picture.paint.samples.size()));
     if (picture.paint.patterns.size() > 1)
         picture.patterns.bind_storage(patterns_at);
     else
@@ -199,52 +278,32 @@ void PatternRenderer::draw_surfaces(const Picture& picture, const Framebuffer& i
     picture.palette.bind_storage(palette_at);
     bind_texture(picture.tops, tops_texture);
     bind_texture(picture.samples, samples_texture);
-    program.set("sample_count", int(picture.paint.samples.size()));
-    program.use();
-    query_.start();
-    buffers_.draw();
-    query_.stop();
-}
-
-void PatternRenderer::lay_under(const Program& program, const Framebuffer& into) const
-{
-    into.bind();
-    glDisable(GL_DEPTH_TEST);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    for (const unsigned other : {1u, 2u})
-        glColorMaski(other, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    program.use();
-    glBindVertexArray(no_vertices_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    for (const unsigned other : {1u, 2u})
-        glColorMaski(other, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDisable(GL_BLEND);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
+    lay_under(program, targets);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
 }
 
 void PatternRenderer::draw(const Picture& picture, const Targets& targets, const Tile& tile, const dvec2& offset, bool edges_only) const
 {
-    targets.whole.clear(0, vec4(0));
-    if (!targets.see_through) {
-        if (targets.edges)
-            targets.whole.clear(1, vec4(0));
-        draw_surfaces(picture, targets.whole, tile, offset, edges_only, 0);
-    }
-    const auto target = [&](int side) -> const Framebuffer& { return (*targets.sides)[side == 0 ? 0 : std::size_t(1 + side % 2)]; };
-    for (int side = 0; targets.see_through && side < most_sides; ++side) {
-        target(side).clear(0, vec4(0));
-        target(side).clear(1, vec4(0));
-        if (side > 0)
-            bind_texture(target(side - 1).colour(1), 0);
-        draw_surfaces(picture, target(side), tile, offset, edges_only, side);
-        if (!query_.anything())
+    const bool see_through = targets.sides.size() > 1;
+    if (see_through)
+        targets.whole.clear(0, vec4(0));
+    // The first side is kept, to tell edges; those behind it go by turns.
+    const auto surfaces = [&](int side) -> const Framebuffer& { return targets.sides[side == 0 ? 0 : std::size_t(1 + side % 2)]; };
+    for (int side = 0; side < (see_through ? most_sides : 1); ++side) {
+        draw_surfaces(picture, surfaces(side), tile, offset, edges_only, side > 0 ? &surfaces(side - 1) : nullptr);
+        if (side > 0 && !query_.anything())
             break;
-        bind_texture(target(side).colour(0), 0);
-        lay_under(side_, targets.whole);
+        shade(picture, surfaces(side), targets, tile, offset);
     }
     backdrop_.set("corner", corner_of(tile, offset));
     picture.ground.bind_storage(ground_at);
-    lay_under(backdrop_, targets.whole);
+    // Behind opaque surfaces nothing of it is seen: shade() left the pixels open where there are none.
+    if (see_through)
+        glDisable(GL_DEPTH_TEST);
+    lay_under(backdrop_, targets);
 }
 
 const PatternRenderer::Targets& PatternRenderer::draw_tile(const Picture& picture, const Tile& tile)
@@ -253,14 +312,17 @@ const PatternRenderer::Targets& PatternRenderer::draw_tile(const Picture& pictur
     targets.sums.bind_storage(sums_at);
     targets.mask.bind_storage(mask_at);
     draw(picture, targets, tile, dvec2(0), false);
-    const int count = picture.paint.edge_samples;
-    if (count > 1) {
-        const Framebuffer& seen = targets.see_through ? targets.sides->front() : targets.whole;
-        bind_texture(seen.colour(1), 0);
-        bind_texture(seen.colour(2), 1);
+    if (const int count = picture.paint.edge_samples; count > 1) {
+        bind_texture(targets.sides.front().colour(0), 0);
+        bind_texture(targets.sides.front().colour(1), 1);
+        edges_.set("eye", vec3(picture.projector.eye));
+        edges_.set("forward", vec3(picture.projector.forward));
+        edges_.set("orthographic", int(picture.projector.orthographic));
+        faces_.bind_storage(faces_at);
         dispatch(edges_, tile.size);
         const Framebuffer centres(tile.size, {Format::rgba32f});
-        glCopyImageSubData(targets.whole.colour(0).id(), GL_TEXTURE_2D, 0, 0, 0, 0, centres.colour(0).id(), GL_TEXTURE_2D, 0, 0, 0, 0, tile.size.x, tile.size.y, 1);
+        glCopyImageSubData(targets.whole.colour(0).id(), GL_TEXTURE_2D, 0, 0, 0, 0, centres.colour(0).id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                           tile.size.x, tile.size.y, 1);
         targets.sums.clear();
         for (const dvec2& place : sample_pattern(count)) {
             draw(picture, targets, tile, place - 0.5, true);
@@ -270,12 +332,15 @@ const PatternRenderer::Targets& PatternRenderer::draw_tile(const Picture& pictur
         bind_texture(centres.colour(0), 0);
         resolve_.set("count", float(count));
         dispatch(resolve_, tile.size);
-        return targets;
     }
-    bind_texture(targets.whole.colour(0), 0);
-    resolve_.set("count", 1.0f);
-    dispatch(resolve_, tile.size);
     return targets;
+}
+
+std::vector<vec4> PatternRenderer::read_tile(const Targets& targets) const
+{
+    if (!targets.has_edges)
+        return targets.whole.read_floats(0);
+    return targets.sums.read<vec4>(std::size_t(targets.size.x) * std::size_t(targets.size.y));
 }
 
 PatternRenderer::Picture PatternRenderer::picture_of(const Camera& camera, const PatternPaint& paint)
@@ -304,7 +369,7 @@ Image PatternRenderer::render(const Camera& camera, const PatternPaint& paint)
     for (const Tile& tile : tiles_of(camera.size, largest_tile_)) {
         const Tile drawn = with_border(tile, 1, camera.size);
         const std::size_t count = std::size_t(drawn.size.x) * std::size_t(drawn.size.y);
-        const std::vector<vec4> linear = from_top(draw_tile(picture, drawn).sums.read<vec4>(count), drawn.size);
+        const std::vector<vec4> linear = from_top(read_tile(draw_tile(picture, drawn)), drawn.size);
         Image part(drawn.size, 3);
         parallel_each(count, 4096, [&](std::size_t i) {
             const vec3 c = encoded_colour(glm::max(vec3(linear[i]), vec3(0)));

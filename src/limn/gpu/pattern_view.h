@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limn/base/image.h"
 #include "limn/gpu/clip.h"
@@ -33,9 +33,10 @@ private:
     /// Pictures that a tile is drawn into, kept from frame to frame.
     struct Targets {
         ivec2 size;
-        bool see_through, edges;
-        Framebuffer whole;                             ///< and what tells edges, where that is asked for
-        std::optional<std::array<Framebuffer, 3>> sides; ///< the first, and by turns those behind it
+        bool has_edges;
+        Framebuffer whole; ///< the light of all sides
+        std::vector<Framebuffer>
+            sides; ///< where surfaces are seen: one, or of those that are seen through the first and by turns those behind it
         Buffer sums, mask;
         Targets(const ivec2& size, bool see_through, bool edges);
     };
@@ -47,18 +48,27 @@ private:
     void set_backdrop(const Picture& picture) const;
     /// Hides all but the pixels on edges, in a cleared depth buffer.
     void hide_others(const Framebuffer& into, const Tile& tile) const;
-    void draw_surfaces(const Picture& picture, const Framebuffer& into, const Tile& tile, const dvec2& offset, bool edges_only, int side) const;
-    void lay_under(const Program& program, const Framebuffer& into) const;
+    /// @param before  the side in front of those that are looked for, or null
+    void draw_surfaces(const Picture& picture, const Framebuffer& into, const Tile& tile, const dvec2& offset, bool edges_only,
+                       const Framebuffer* before) const;
+    /// One triangle over everything, with the program in use.
+    void fill() const;
+    /// Where surfaces are see-through, under what is there; else in its place.
+    void lay_under(const Program& program, const Targets& targets) const;
+    /// Lays the light of surfaces under what is there; the depths of targets.whole are then those of a picture without anything where no surface is.
+    void shade(const Picture& picture, const Framebuffer& surfaces, const Targets& targets, const Tile& tile, const dvec2& offset) const;
     void draw(const Picture& picture, const Targets& targets, const Tile& tile, const dvec2& offset, bool edges_only) const;
-    /// The picture of a tile in targets.sums, linear.
     const Targets& draw_tile(const Picture& picture, const Tile& tile);
+    /// The picture of the tile that was drawn: linear, rows from the bottom.
+    std::vector<vec4> read_tile(const Targets& targets) const;
 
     const LineModel& model_;
     int largest_tile_;
     ModelBuffers buffers_;
-    Buffer face_normals_;
+    Buffer faces_;
+    bool fronts_only_;                        ///< from outside nothing else can be seen
     std::map<std::string, Program> programs_; ///< by file and macros
-    Program backdrop_, side_, mask_, edges_, gather_, resolve_;
+    Program surface_, behind_, backdrop_, there_, mask_, edges_, gather_, resolve_;
     VertexArray no_vertices_;
     DrawnQuery query_;
     std::optional<Targets> targets_;

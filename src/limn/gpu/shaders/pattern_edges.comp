@@ -1,16 +1,23 @@
 // Marks the pixels on outlines and folds: those that take several samples.
 #include "limn/formulas/pattern_picture.glsl"
+#include "limn/gpu/shaders/pattern_side.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) uniform sampler2D places; // w: size of a pixel there, 0 where nothing is seen
-layout(binding = 1) uniform sampler2D sides;
+layout(binding = 1) uniform sampler2D facings;
 layout(std430, binding = 7) writeonly buffer Mask { uint mask[]; };
 uniform ivec2 size;
+uniform vec3 eye;
+uniform vec3 forward;
+uniform int orthographic;
 
 SeenPlace place_at(const ivec2 p)
 {
     vec4 place = texelFetch(places, p, 0);
-    return SeenPlace(place.xyz, texelFetch(sides, p, 0).xyz, place.w);
+    if (place.w == 0.0f)
+        return SeenPlace(place.xyz, vec3(0.0f), 0.0f);
+    vec3 to_eye = orthographic != 0 ? -forward : normalize(eye - place.xyz);
+    return SeenPlace(place.xyz, seen_normal(outside_of(face_at(texelFetch(facings, p, 0)), to_eye), to_eye), place.w);
 }
 
 void main()

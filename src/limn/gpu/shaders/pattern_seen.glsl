@@ -1,30 +1,24 @@
-// One point of a surface that is made of a pattern: light (premultiplied) and opacity, where it is, and its side. The file that includes this has
-// pattern_at() and marked() of its kind of pattern. What does not change in a picture is a macro, so that the device computes nothing in vain; tables are
+// One point of a surface that is made of a pattern: light (premultiplied) and opacity, from what pattern_surface.frag saw at a pixel. The file that includes this
+// has pattern_at() and marked() of its kind of pattern. What does not change in a picture is a macro, so that the device computes nothing in vain; tables are
 // textures, which software renderers read for several pixels at once:
-// TABLE_WIDTH (texels), OWN_PATTERNS, PATTERN_KERNEL, PATTERN_SAMPLED (0 where cusps are shown), SEE_THROUGH (1: sides are drawn one behind the other).
+// TABLE_WIDTH (texels), OWN_PATTERNS, PATTERN_KERNEL, PATTERN_SAMPLED (0 where cusps are shown).
 #include "limn/formulas/pattern_picture.glsl"
-#include "limn/formulas/shading.glsl"
+#include "limn/gpu/shaders/pattern_side.glsl"
 
-layout(std430, binding = 2) readonly buffer FaceNormals { vec4 face_normals[]; }; // unit, or zero
-layout(binding = 0) uniform sampler2D before;  // places of the side before
 layout(binding = 2) uniform sampler2D samples; // of the pattern in a pixel: x and y by turns, row by row
+layout(binding = 3) uniform sampler2D places; // seen_place
+layout(binding = 4) uniform sampler2D facings; // seen_facing
 uniform int sample_count;
 uniform vec3 eye;           // its place; of parallel views, one on the line of sight through the picture's middle
 uniform vec3 forward;       // unit
 uniform int orthographic;
 uniform vec2 corner;        // the tile's lower left corner, px from the picture's upper left one, y down, with the offset of the sample
 uniform vec2 middle;        // of the picture, px
-uniform float pixel_size;   // at depth 1; at any depth in parallel views
 uniform float kernel_width;
 uniform int flat_faces;     // 1: faces are shaded by their own normals
-uniform int side;           // number of the side, from the front
 
-in vec3 position;
-in vec3 normal;
-flat in uint object;
+vec3 position; // of the pixel's place
 layout(location = 0) out vec4 colour;
-layout(location = 1) out vec4 seen_place; // w: size of a pixel there
-layout(location = 2) out vec4 seen_side;
 
 vec4 through(const PatternNumbers numbers, const vec3 n, const vec3 face, const vec3 to_eye, const vec2 pixel)
 {
@@ -50,28 +44,20 @@ vec4 through(const PatternNumbers numbers, const vec3 n, const vec3 face, const 
 
 void main()
 {
-    float depth = dot(position - eye, forward);
-#if SEE_THROUGH
-    if (side > 0) {
-        vec4 last = texelFetch(before, ivec2(gl_FragCoord.xy), 0);
-        if (last.w == 0.0f || depth <= dot(last.xyz - eye, forward) + 1e-5f)
-            discard;
-    }
-#endif
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    position = texelFetch(places, pixel, 0).xyz;
+    vec4 facing = texelFetch(facings, pixel, 0);
     vec3 to_eye = orthographic != 0 ? -forward : normalize(eye - position);
-    vec3 outside = face_normals[gl_PrimitiveID].xyz;
-    if (dot(outside, outside) == 0.0f)
-        outside = to_eye;
+    vec4 seen = face_at(facing);
+    vec3 outside = outside_of(seen, to_eye);
     vec3 face = seen_normal(outside, to_eye);
-    vec3 n = flat_faces != 0 || dot(normal, normal) == 0.0f ? face : normalize(normal);
+    vec3 n = flat_faces != 0 || dot(facing.xyz, facing.xyz) == 0.0f ? face : normalize(facing.xyz);
     if (dot(n, face) < 0.0f)
         n = -n;
 #if OWN_PATTERNS
-    PatternNumbers numbers = patterns[object];
+    PatternNumbers numbers = patterns[uint(seen.w + 0.5f)];
 #else
     PatternNumbers numbers = pattern;
 #endif
     colour = marked(numbers, through(numbers, n, face, to_eye, corner + vec2(gl_FragCoord.x, -gl_FragCoord.y)), n, outside, to_eye);
-    seen_place = vec4(position, orthographic != 0 ? pixel_size : pixel_size * depth);
-    seen_side = vec4(face, 0.0f);
 }
