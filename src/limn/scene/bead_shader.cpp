@@ -12,6 +12,7 @@ const vec3 up = {0, 0, 1};
 constexpr float floor_from = 0.9f;         ///< of the normal, upright: treads are as wide as a bead from there on
 constexpr float mixed_until = 1.5f;        ///< times the detail, from where on beads are drawn one by one alone
 constexpr float from_behind = 0.25f;       ///< facing, below which steps come to be seen from behind: the filter knows only treads there
+constexpr float furthest_shift = 4;       ///< of a bead from the one that hides something of it
 constexpr float rare_layers = 40;          ///< pixels from step to step: a pixel in a floor that sees none
 constexpr float corner_area = 0.21460184f; ///< 1 - pi/4
 
@@ -55,15 +56,25 @@ BeadShader::Groove BeadShader::groove(const SeenBead& seen) const
 {
     const BeadShape& shape = print_.scene.beads()[seen.bead];
     const vec3 &n = seen.normal, from = seen.position + 0.02f * shape.height() * n;
-    const auto is_near = [&](const vec3& direction, float reach) { return print_.scene.occluded({from, direction, 0, reach}); };
+    // How far the middle of the bead that is near lies behind this one's, in the lengths of BeadFrame; both sides are round.
+    const auto near = [&](const vec3& out, const vec3& towards, float reach) -> Groove {
+        const BeadHit hit = print_.scene.closest({from, towards, 0, reach});
+        if (!hit)
+            return {};
+        const vec3 middle = from + hit.distance * towards - print_.scene.beads()[hit.bead].round() * hit.normal, own = seen.position - shape.round() * n;
+        return {true, out, towards, glm::clamp(glm::dot(own - middle, out) / shape.round(), -furthest_shift, furthest_shift)};
+    };
     const vec3 rise = n.z < 0 ? -up : up, level = vec3(n.x, n.y, 0);
     const float size = glm::length(level);
     const vec3 out = size > 1e-3f ? level / size : shape.aside();
-    if (std::abs(n.z) > 0.02f && is_near(rise, shape.height()))
-        return {true, out, rise};
-    if (size > 0.05f && is_near(out, 0.6f * shape.height()))
-        return {true, rise, out};
-    return {};
+    Groove found;
+    if (std::abs(n.z) > 0.02f)
+        found = near(out, rise, shape.height());
+    if (found.shift < 0 && size <= 1e-3f) // on a flat top the way out leads away from what is near
+        found = {true, -found.out, found.towards, -found.shift};
+    if (!found.narrow && size > 0.05f)
+        found = near(rise, out, 0.6f * shape.height());
+    return found;
 }
 
 vec3 BeadShader::own(const SeenBead& seen, float share) const
@@ -82,7 +93,7 @@ vec3 BeadShader::own(const SeenBead& seen, float share) const
     const Groove in = of.extrudes() ? groove(seen) : Groove();
     if (!in.narrow)
         return reflected(finish, seen.normal, along, to_eye, 0, lit);
-    BeadFrame frame = bead_frame(edge_bulge(shape), 0, in.out, in.towards, lit);
+    BeadFrame frame = bead_frame(edge_bulge(shape), in.shift, in.out, in.towards, lit);
     frame.along = along;
     const vec2 n = glm::normalize(vec2(glm::dot(seen.normal, in.out), glm::dot(seen.normal, in.towards)));
     return groove_reflected(frame, finish, n, 0, n, n, to_eye, groove_ambient(frame, lit, n, n), lit);
