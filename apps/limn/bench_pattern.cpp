@@ -18,6 +18,7 @@
 #include "pattern_figures.h"
 #include "pattern_frames.h"
 #include "pattern_subjects.h"
+#include "slicer_truth.h"
 
 using namespace limn;
 
@@ -115,6 +116,7 @@ struct Tables {
     MarkdownTable errors, times, summary, moire;
     FrameTimes frames;
     TruthTables truth;
+    SlicerTable slicer;
 };
 
 constexpr int truth_width = 280; ///< of a picture beside rays, pixels
@@ -203,6 +205,15 @@ void add_moire(const PatternBench& bench, Console& console, Tables& tables)
         }
 }
 
+std::string text_of(const SlicerTable& sliced)
+{
+    if (sliced.slicer.empty())
+        return "Prints beside a slicer's: prusa-slicer is not installed, so nothing was compared.\n";
+    return fmt::format("Parts as {} lays them, in layers of {} mm and beads 0.45 mm wide: its beads as rays meet them, as above, and beside them the models of layers on the part, "
+                       "and *G-code*: the same file drawn by `limn render`:\n\n{}\n",
+                       sliced.slicer, sliced_layer, sliced.errors.text());
+}
+
 std::string text_of(const PatternBench& bench, const Tables& tables)
 {
     return fmt::format(
@@ -220,16 +231,16 @@ std::string text_of(const PatternBench& bench, const Tables& tables)
         "with the seed's 50 samples for every pixel; frames a second are those of the device's filter:\n\n{}\n"
         "Prints beside the truth: the model's slices as real steps, flat or with the round edge of a single wall's beads, met by {} rays a pixel of the same kernel, under the same "
         "light, its disc, sky and floor with what hides them; {} px wide, a studio's light, grey PETG. FLIP (Andersson et al. 2020; 0 is equal, {:.0f} px a degree) of each model, and "
-        "the highlight's length over its width:\n\n{}\n",
+        "the highlight's length over its width, if there is a highlight:\n\n{}\n{}",
         LIMN_VERSION, machine_name(), bench.edge, bench.edge, tables.summary.text(), tables.errors.text(), bench.runs, tables.times.text(), below, bench.moire_edge, bench.moire_edge,
-        last_moire, tables.moire.text(), tables.frames.device, tables.frames.table.text(), truth_side * truth_side, truth_width, 67.0, tables.truth.errors.text());
+        last_moire, tables.moire.text(), tables.frames.device, tables.frames.table.text(), truth_side * truth_side, truth_width, 67.0, tables.truth.errors.text(), text_of(tables.slicer));
 }
 
 std::string json_of(const PatternBench& bench, const Tables& tables)
 {
     const nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", "bench"}, {"what", "pattern"}, {"machine", machine_name()}, {"edge", bench.edge}, {"runs", bench.runs},
                                          {"summary", ::json_of(tables.summary)}, {"rmse", ::json_of(tables.errors)}, {"ns_a_pixel", ::json_of(tables.times)}, {"moire", ::json_of(tables.moire)},
-                                         {"device", tables.frames.device}, {"ms_a_frame", ::json_of(tables.frames.table)}, {"truth", ::json_of(tables.truth.errors)}};
+                                         {"device", tables.frames.device}, {"ms_a_frame", ::json_of(tables.frames.table)}, {"truth", ::json_of(tables.truth.errors)}, {"slicer", tables.slicer.slicer}, {"sliced", ::json_of(tables.slicer.errors)}};
     return json.dump(2) + "\n";
 }
 
@@ -247,11 +258,12 @@ BenchResult bench_pattern(const BenchRequest& request, Console& console)
         write_pattern_figures(request.figures, console);
     Tables tables = {MarkdownTable(zoom_header({"pattern", "way"})), MarkdownTable(zoom_header({"pattern", "way"})),
                      MarkdownTable({"pattern", "filter: times faster", "at least", "error/seed's, at most", "square: times faster", "at least", "error/seed's, at most"}),
-                     MarkdownTable({"pattern", "from", "filter", "square", "seed", "50 even", "4 samples", "smoothstep", "centre", "seed's energy"}), {}, {}};
+                     MarkdownTable({"pattern", "from", "filter", "square", "seed", "50 even", "4 samples", "smoothstep", "centre", "seed's energy"}), {}, {}, {}};
     add_sweep(bench, console, tables);
     add_moire(bench, console, tables);
     tables.frames = time_pattern_frames(std::max(1, request.runs / 2), console);
     tables.truth = compare_with_truth(truth_width, console);
+    tables.slicer = compare_with_slicer(truth_width, console);
     if (!request.figures.empty())
         write_file((request.figures / "truth.png").string(), encode_png(tables.truth.strip, {}));
     return {text_of(bench, tables), json_of(bench, tables), counted(pattern_subjects(1, 8, true).size(), "pattern")};

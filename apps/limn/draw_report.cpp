@@ -1,7 +1,5 @@
 #include "draw_report.h"
 
-#include <nlohmann/json.hpp>
-
 #include "peak_memory.h"
 
 using namespace limn;
@@ -60,7 +58,7 @@ double sum(const std::vector<DrawnView>& views, double DrawReport::*member)
 } // namespace
 
 std::string draw_report(const std::string& command, const std::string& device, const Models& models, const std::vector<DrawnView>& views,
-                        const std::vector<std::string>& written, const Warnings& warnings, const Times& times)
+                        const std::vector<std::string>& written, const Warnings& warnings, const Times& times, const nlohmann::ordered_json& more)
 {
     nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", command}, {"device", device}};
     for (const Input& input : models.inputs)
@@ -68,6 +66,7 @@ std::string draw_report(const std::string& command, const std::string& device, c
     json["warnings"] = warnings.all();
     for (const DrawnView& view : views)
         json["views"].push_back(json_of(view));
+    json.update(more);
     json["outputs"] = written;
     json["seconds"] = {{"read", models.read_seconds},
                        {"surface", models.surface_seconds},

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "common.h"
 #include "eyes.h"
 #include "limn/lines/draw.h"
@@ -29,5 +31,6 @@ struct Times {
 };
 
 /// The report of `limn draw --json` and `limn render --json`: where pixels were computed, inputs, warnings, cameras, counts and lengths by type, and seconds by stage.
+/// @param more  an object whose members the report holds too
 std::string draw_report(const std::string& command, const std::string& device, const Models& models, const std::vector<DrawnView>& views,
-                        const std::vector<std::string>& written, const Warnings& warnings, const Times& times);
+                        const std::vector<std::string>& written, const Warnings& warnings, const Times& times, const nlohmann::ordered_json& more);

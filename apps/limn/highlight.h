@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "limn/base/image.h"
@@ -13,8 +14,10 @@ struct Highlight {
     double length = 0;                   ///< pixels: standard deviation along it
 };
 
-/// Of the luminance over a share of the way from the mean of the object to the brightest, lines of a pattern smoothed away before.
+/// Of the luminance over a share of the way from the mean of the object to the brightest, around that, lines of a pattern smoothed away before. Nothing where there is no
+/// highlight: where the brightest is hardly brighter than the mean, where it is a large part of the object, or where it ends at the object's outline rather
+/// than falling off before, as the brightest of flat faces does.
 /// @param mask    pixels that show the object: 1 for each
 /// @param smooth  standard deviation of a Gauss filter, pixels
 /// @param share   in (0,1)
-Highlight highlight_of(const limn::Image& picture, const std::vector<std::uint8_t>& mask, double smooth, double share = 0.5);
+std::optional<Highlight> highlight_of(const limn::Image& picture, const std::vector<std::uint8_t>& mask, double smooth, double share = 0.75);

@@ -26,7 +26,7 @@ using namespace limn::formulas;
 
 namespace {
 
-constexpr int edge = 240; ///< of a panel, pixels
+constexpr int edge = 280; ///< of a panel, pixels
 const dvec3 light_of_study = {-1, -1.2, 1.4};
 
 Scene scene_of(const std::string& shape, std::size_t triangles, const dmat4& turn)
@@ -50,18 +50,19 @@ struct Stage {
 struct Panel {
     std::string shape = "blob";
     PatternOptions pattern = {};
-    std::string view = "20,12";
+    std::string view = "20,35"; ///< from which the light is mirrored
     bool faceted = false, point_light = false;
     dmat4 turn = dmat4(1);
     vec3 background = vec3(1);
     std::size_t triangles = 30000;
+    ivec2 size = {edge, edge};
 };
 
 Image paint(const Panel& panel)
 {
     const Stage stage(panel.shape, panel.triangles, panel.turn);
     const SeenScene seen = seen_scene(stage.model.lines, stage.model.rays);
-    const Camera camera = Camera::framing(stage.model.bounds, {.view = panel.view, .up_axis = 'z', .size = {edge, edge}});
+    const Camera camera = filling_camera(stage.model, panel.view, panel.size);
     ShadeOptions shade;
     shade.background = panel.background;
     shade.shading = panel.faceted ? Shading::flat : Shading::smooth;
@@ -69,7 +70,7 @@ Image paint(const Panel& panel)
         shade.lamp = seen.centre + 3 * seen.scale * glm::normalize(light_of_study);
     else
         shade.to_light = light_of_study;
-    return paint_pattern(seen, camera, panel.pattern, {1, {}, dvec3(0, 0, 1)}, shade);
+    return paint_pattern(seen, camera, panel.pattern, {1, {panel.turn}, dvec3(0, 0, 1)}, shade);
 }
 
 /// The study's layers: Phong, m = 100, its 50 samples over 2 x 2 pixels.
@@ -114,6 +115,12 @@ template <class F> PatternOptions with(PatternOptions options, F&& change)
     return options;
 }
 
+Panel with_size(Panel panel, const ivec2& size)
+{
+    panel.size = size;
+    return panel;
+}
+
 Image row(const std::vector<Panel>& panels)
 {
     std::vector<Image> images;
@@ -147,6 +154,8 @@ Image bumped_wall(float delta, bool hard)
     return image;
 }
 
+const vec3 page = vec3(0.3f); ///< linear, behind thread: dark enough for highlights to stand out
+
 /// What a point of a thread sphere looks like: its kind (thread_mask), the normal and the direction to the eye; linear, or nothing in a hole.
 using ThreadLook = std::function<std::optional<vec3>(int kind, const vec3& n, const vec3& to_eye)>;
 
@@ -155,7 +164,7 @@ Image thread_sphere(double zoom, float cell, const ThreadLook& look)
 {
     Camera camera;
     camera.eye = {0.6, 1.2, 4};
-    camera.fov_degrees = 32 / zoom;
+    camera.fov_degrees = 30.5 / zoom; // a ball of radius 1 fills it but for a twentieth
     camera.size = {edge, edge};
     const PatternCamera seen(camera, dvec3(0), 1, {});
     const ThreadPattern c = {0.6f * cell, 0.4f * cell, vec3(0), 0, 1, 1, 0, 0};
@@ -168,7 +177,7 @@ Image thread_sphere(double zoom, float cell, const ThreadLook& look)
                 std::optional<vec3> colour;
                 if (seen.on_sphere(vec3(0), 1, false, vec2(float(x), float(y)) + 0.5f + s, place))
                     colour = look(thread_mask(c, sphere_place(place) / cell), place, seen.to_eye(place));
-                sum += colour.value_or(vec3(1));
+                sum += colour ? shown_light(*colour) : page;
             }
             const vec3 shown = encoded_colour(glm::clamp(sum / float(samples.size()), vec3(0), vec3(1)));
             for (int k = 0; k < 3; ++k)
@@ -207,15 +216,15 @@ std::optional<vec3> tangent_colours(int kind, const vec3& n, const vec3&)
 }
 
 /// Real steps, met by rays: in place of a photograph.
-Image photographed(const std::string& shape, double height, const std::string& view)
+Image photographed(const Panel& panel, double height)
 {
-    const Stage stage(shape, 30000, dmat4(1));
+    const Stage stage(panel.shape, panel.triangles, panel.turn);
     const SeenScene seen = seen_scene(stage.model.lines, stage.model.rays);
-    const Camera camera = Camera::framing(stage.model.bounds, {.view = view, .up_axis = 'z', .size = {edge, edge}});
+    const Camera camera = filling_camera(stage.model, panel.view, panel.size);
     ShadeOptions shade;
     shade.to_light = light_of_study;
     const PatternLight light = pattern_lights(seen, camera, shade, {1, {}, dvec3(0, 0, 1)}).front();
-    return trace_print(stepped_print(*stage.scene.objects.front().mesh, {height, 1}), camera, {finish_of(find_filament("pla-grey")), light, vec3(1), 0.5f, 8});
+    return trace_print(body_of(stepped_print(*stage.scene.objects.front().mesh, {height, 1})), camera, {finish_of(find_filament("pla-grey")), light, vec3(1), 0.5f, 8}).picture;
 }
 
 dmat4 tilted(double degrees) { return glm::rotate(dmat4(1), glm::radians(degrees), dvec3(0.3, 1, 0)); }
@@ -261,7 +270,8 @@ std::vector<Figure> layer_figures()
     constexpr LayerModel seed = LayerModel::seed, soft = LayerModel::soft;
     constexpr PatternReflection phong = PatternReflection::phong, blinn = PatternReflection::blinn_phong;
     // The study's bunny is of few, flat faces.
-    const auto bunny = [](const PatternOptions& o, const std::string& view = "20,12", const dmat4& turn = dmat4(1)) { return Panel{"blob", o, view, true, false, turn, vec3(1), 400}; };
+    const auto bunny = [](const PatternOptions& o, const std::string& view = "20,35", const dmat4& turn = dmat4(1)) { return Panel{"blob", o, view, true, false, turn, vec3(1), 400}; };
+    const auto angel = [](const PatternOptions& o) { return with_size({"rings", o, "20,25"}, {edge, edge * 2 / 3}); };
     const auto series = [=](std::initializer_list<double> values, auto&& change) {
         std::vector<Panel> panels;
         for (const double v : values)
@@ -276,30 +286,33 @@ std::vector<Figure> layer_figures()
         {"5.13", [=] {
              Panel lamp = bunny(layers(0.02));
              lamp.point_light = true;
-             return in_rows({{photographed("blob", 0.02, "20,12"), paint(bunny(layers(0.02))), paint(lamp)}}, 6);
+             return in_rows({{photographed(bunny(layers(0.02)), 0.02), paint(bunny(layers(0.02))), paint(lamp)}}, 6);
          }},
         {"5.14", [=] { return series({0.008, 0.02, 0.064}, [](PatternOptions& o, double v) { o.layer_height = v; }); }},
         {"5.15", [=] { return series({10, 100, 1000}, [](PatternOptions& o, double v) { o.exponent = v; }); }},
         {"5.16", [=] { return series({0.02, 0.05, 0.1, 0.3}, [](PatternOptions& o, double v) { o.specular = v; }); }},
-        {"5.17", [=] { return row({bunny(layers(0.02), "60,12")}); }},
-        {"5.18", [=] { return row({bunny(layers(0.02, seed, blinn), "0,12"), bunny(layers(0.02, seed, blinn), "30,12"), bunny(layers(0.02, seed, blinn), "60,12")}); }},
+        {"5.17", [=] { return row({bunny(layers(0.02))}); }},
+        {"5.18", [=] { return row({bunny(layers(0.02, seed, blinn), "-20,35"), bunny(layers(0.02, seed, blinn), "20,35"), bunny(layers(0.02, seed, blinn), "60,35")}); }},
         {"5.19", [=] { return row({bunny(layers(0.008)), bunny(layers(0.004)), bunny(with(layers(0.004), [](PatternOptions& o) { o.filter = PatternFilter::gauss; }))}); }},
         {"5.20", [=] { return row({bunny(layers(0.032, soft, blinn)), bunny(layers(0.048, soft, blinn))}); }},
-        {"5.21", [=] { return in_rows({{photographed("sphere", 0.048, "20,12"), paint({"sphere", layers(0.048, soft, phong)}), paint({"sphere", layers(0.048, soft, blinn)})}}, 6); }},
+        {"5.21", [=] { return in_rows({{photographed({"sphere"}, 0.048), paint({"sphere", layers(0.048, soft, phong)}), paint({"sphere", layers(0.048, soft, blinn)})}}, 6); }},
         {"5.22", [=] { return row({{"sphere", layers(0.02), "20,40"}, {"sphere", layers(0.064), "20,40"}, {"sphere", layers(0.064, LayerModel::slope), "20,40"}}); }},
-        {"5.23", [=] { return in_rows({{photographed("knot", 0.06, "20,25"), paint({"knot", layers(0.06), "20,25"}), paint({"knot", layers(0.06, seed, blinn), "20,25"})}}, 6); }},
-        {"5.24", [=] { return row({{"rings", layers(0.04), "20,12"}, {"rings", layers(0.04, seed, blinn), "20,12"}}); }},
+        {"5.23", [=] {
+             const auto toad = [](const PatternOptions& o) { return with_size({"knot", o, "20,25"}, {edge, edge * 3 / 4}); };
+             return in_rows({{photographed(toad({}), 0.06), paint(toad(layers(0.06))), paint(toad(layers(0.06, seed, blinn)))}}, 6);
+         }},
+        {"5.24", [=] { return row({angel(layers(0.04)), angel(layers(0.04, seed, blinn))}); }},
         {"5.25", [=] {
              // Layers so soft that none is left.
              const auto none = [](PatternOptions& o) { o.layer_model = LayerModel::soft, o.soft_low = 900, o.soft_high = 1000; };
-             return row({{"rings", with(layers(0.04), none), "20,12"}});
+             return row({angel(with(layers(0.04), none))});
          }},
         {"5.26", [=] { return row({bunny(layers(0.064), "20,0"), bunny(layers(0.064), "20,25"), bunny(layers(0.064), "20,55")}); }},
         {"5.27", [=] {
              const PatternOptions slanted = with(layers(0.064), [](PatternOptions& o) { o.with_object = true; });
-             return row({bunny(layers(0.064), "20,12", tilted(35)), bunny(slanted, "20,12", tilted(35)), bunny(layers(0.02), "20,12", tilted(35))});
+             return row({bunny(layers(0.064), "20,35", tilted(35)), bunny(slanted, "20,35", tilted(35)), bunny(layers(0.02), "20,35", tilted(35))});
          }},
-        {"5.28", [=] { return row({bunny(layers(0.048, soft, blinn), "20,12", tilted(35)), bunny(axis_x(layers(0.048, soft, blinn)))}); }},
+        {"5.28", [=] { return row({bunny(layers(0.048, soft, blinn), "20,35", tilted(35)), bunny(axis_x(layers(0.048, soft, blinn)))}); }},
     };
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fit_camera.h"
 #include "limn/surface/shapes.h"
 
 using namespace limn;
@@ -85,4 +86,12 @@ std::vector<NamedMesh> print_shapes()
             {"cone", cone(1, 1.5, 180)},
             {"wedge", wedge({2.2, 1.3, 1}, 0.15)},
             {"blob", make_shape({.name = "blob", .triangles = 40000}).mesh}};
+}
+
+Camera filling_camera(const SceneModel& model, const std::string& view, const ivec2& size)
+{
+    std::vector<Camera> camera = {Camera::framing(model.bounds, {.view = view, .up_axis = 'z', .size = size})};
+    fit_cameras(camera, model.lines, 0.05);
+    centre_in_picture(camera.front(), model.lines);
+    return camera.front();
 }

@@ -5,6 +5,7 @@
 
 #include "limn/base/image.h"
 #include "limn/geometry/mesh.h"
+#include "limn/scene/render.h"
 
 /// Pictures of one size beside and under each other.
 /// @param gap  white pixels between them
@@ -17,3 +18,6 @@ struct NamedMesh {
 
 /// Closed models that are printed along z: a sphere, a cone, a wedge and a blob.
 std::vector<NamedMesh> print_shapes();
+
+/// A camera that looks at a model from a side, z up, so that it fills the picture but for a twentieth of its sides.
+limn::Camera filling_camera(const limn::SceneModel& model, const std::string& view, const limn::ivec2& size);

@@ -263,7 +263,8 @@ void make_pictures(PictureCommand& command, const PictureHooks& hooks)
     const std::vector<std::string> written = draw_all(stage, sheets, outputs, progress, console);
     progress.times.total = total.total();
     if (command.common.json)
-        write_file("-", draw_report(command.name, hooks.device ? hooks.device() : "processor", models, progress.views, written, warnings, progress.times));
+        write_file("-", draw_report(command.name, hooks.device ? hooks.device() : "processor", models, progress.views, written, warnings, progress.times,
+                                    hooks.report ? hooks.report() : nlohmann::ordered_json::object()));
     const std::string note = hooks.note ? hooks.note() : "";
     console.finish(fmt::format("{}: {}, {}, {}{}", what_was_written(written), counted(progress.loop_view ? progress.loop_view->lines.faces.size() : models.triangle_count(), "triangle"),
                                counted(stroke_count(progress.views), "stroke"), seconds_text(progress.times.total), note.empty() ? "" : "; " + note));

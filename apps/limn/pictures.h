@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "common.h"
 #include "limn/drawing/style.h"
 #include "limn/lines/options.h"
@@ -41,6 +43,8 @@ struct PictureHooks {
     std::function<std::vector<std::string>(const limn::Drawing&, const limn::SeenModel&, const Output&)> write;
     /// What else the last line of the run says; absent or "": nothing.
     std::function<std::string()> note;
+    /// What else the report (--json) holds, an object; absent: nothing.
+    std::function<nlohmann::ordered_json()> report;
     /// Where pixels were computed, once all pictures are written; absent: on the processor.
     std::function<std::string()> device;
 };

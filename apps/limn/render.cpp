@@ -232,6 +232,7 @@ void run(const CLI::App& app, RenderCommand& command)
             explain_pattern(command.pattern, pattern_place(command.pattern, pictures, model.up), model.scene, drawing);
         };
     hooks.note = [&] { return command.pattern.note; };
+    hooks.report = [&] { return report_of(command.pattern); };
     hooks.device = [&] { return painter.device(); };
     hooks.write = [&](const Drawing& drawing, const SeenModel& model, const Output& output) {
         const Image picture = drawing.strokes.empty() && drawing.captions.empty() ? drawing.background : lay_over(drawing.background, drawing, pictures.style);

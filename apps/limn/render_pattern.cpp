@@ -52,6 +52,7 @@ PatternPlace pattern_place(const PatternCommand& command, const PictureCommand& 
 void explain_pattern(PatternCommand& command, const PatternPlace& place, const SeenScene& scene, Drawing& drawing)
 {
     command.note.clear();
+    command.cusps.reset();
     if (command.options.kind != PatternKind::layers)
         return;
     const PatternOptions& options = command.options;
@@ -62,7 +63,15 @@ void explain_pattern(PatternCommand& command, const PatternPlace& place, const S
         command.note += fmt::format(", the longest side is {:.4g} mm", longest_side(scene) * place.mm_per_unit);
     if (options.show != PrintShow::cusp)
         return;
-    const CuspHistogram cusps = print_cusps(scene, options, place);
-    command.note += ", " + cusps.line();
-    add_cusp_legend(drawing, cusps);
+    command.cusps = print_cusps(scene, options, place);
+    command.note += ", " + command.cusps->line();
+    add_cusp_legend(drawing, *command.cusps);
+}
+
+nlohmann::ordered_json report_of(const PatternCommand& command)
+{
+    nlohmann::ordered_json report = nlohmann::ordered_json::object();
+    if (command.cusps)
+        report["cusps"] = {{"unit", "mm"}, {"most", command.cusps->most}, {"mean", command.cusps->mean}, {"median", command.cusps->middle}, {"shares", command.cusps->shares}};
+    return report;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -14,6 +15,7 @@ namespace {
 using Ring = std::vector<dvec2>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
+constexpr double shortest_side = 0.02;  ///< of a ring, layers: shorter ones would turn around where an edge goes in
 constexpr double corner_cosine = 0.85; ///< between edges of a ring: beyond, there is a corner
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
@@ -80,12 +82,13 @@ struct Builder {
         print.triangles.push_back({a, b, c});
         print.triangles.push_back({a, c, d});
     }
-    void cap(const Ring& ring, double z, double up)
+    /// A level face whose corners are those of a ring moved in. It is cut as the ring is, which does not cross itself where it is moved far.
+    void cap(const Ring& moved, const std::vector<uvec3>& cut, double z, double up)
     {
         const std::uint32_t first = std::uint32_t(print.positions.size());
-        for (const dvec2& p : ring)
+        for (const dvec2& p : moved)
             add(p, z, {0, 0, up});
-        for (const uvec3& t : cut_polygon(ring))
+        for (const uvec3& t : cut)
             print.triangles.push_back(up > 0 ? t + first : uvec3(t.x, t.z, t.y) + first);
     }
 };
@@ -127,8 +130,9 @@ void add_layer(Builder& builder, const Ring& ring, double middle, const std::vec
     Ring cap;
     for (std::size_t i = 0; i < n; ++i)
         cap.push_back(inner(i, profile.back().in));
-    builder.cap(cap, middle + profile.back().height, 1);
-    builder.cap(cap, middle + profile.front().height, -1);
+    const std::vector<uvec3> cut = cut_polygon(ring);
+    builder.cap(cap, cut, middle + profile.back().height, 1);
+    builder.cap(cap, cut, middle + profile.front().height, -1);
 }
 
 } // namespace
@@ -179,15 +183,23 @@ std::vector<uvec3> cut_polygon(const Ring& ring)
     std::vector<uvec3> triangles;
     while (left.size() > 3) {
         const std::size_t n = left.size();
-        std::size_t ear = n;
+        std::size_t ear = n, small = n; // the smallest corner, where sides cross and no ear is free
+        double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < n && ear == n; ++i) {
             const std::uint32_t a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];
-            if (cross(ring[b] - ring[a], ring[c] - ring[b]) <= 0)
+            const double size = cross(ring[b] - ring[a], ring[c] - ring[b]);
+            if (size <= 0)
                 continue;
+            if (size < least) {
+                least = size;
+                small = i;
+            }
             const bool empty = std::none_of(left.begin(), left.end(), [&](std::uint32_t v) { return v != a && v != b && v != c && is_inside(ring[v], ring[a], ring[b], ring[c]); });
             if (empty)
                 ear = i;
         }
+        if (ear == n)
+            ear = small;
         if (ear == n) // what is left is flat
             break;
         triangles.push_back({left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]});
@@ -210,7 +222,7 @@ SteppedPrint stepped_print(const Mesh& mesh, const StepOptions& options)
     for (int j = 0; j < layers; ++j) {
         const double middle = bounds.low.z + (j + 0.5) * options.layer_height;
         for (const Ring& whole : slice(mesh, middle)) {
-            const Ring ring = cleaned(whole, 1e-3 * options.layer_height);
+            const Ring ring = cleaned(whole, shortest_side * options.layer_height);
             if (ring.size() >= 3 && area_of(ring) > 4 * inset * inset)
                 add_layer(builder, ring, middle, profile);
         }

@@ -1,5 +1,8 @@
 // `limn render --material`: prints, bricks and thread.
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "command/command.h"
@@ -63,6 +66,89 @@ TEST_F(RenderPattern, CuspHeightsAreColouredCountedAndExplained)
         for (int x = 10; x < 140; ++x)
             coloured += std::abs(image.at(x, y)[0] - image.at(x, y)[2]) > 0.2f;
     EXPECT_GT(coloured, 500);
+}
+
+TEST_F(RenderPattern, CuspHeightsAreInTheReport)
+{
+    ASSERT_EQ(limn("sample sphere --triangles 20000 --quiet -o " + path("ball.ply")).exit_code, 0);
+    const std::string ball = "render " + path("ball.ply") + " --size 60x45 --quiet --json --material layers --layer-height 2mm";
+    const nlohmann::json cusps = nlohmann::json::parse(limn(ball + " --show cusp").output).at("cusps");
+    EXPECT_EQ(cusps.at("unit"), "mm");
+    EXPECT_EQ(cusps.at("most"), 2.0);
+    EXPECT_NEAR(cusps.at("mean").get<double>(), 1, 0.02) << "over a ball the cosine is spread evenly";
+    EXPECT_NEAR(cusps.at("median").get<double>(), 1, 0.03);
+    ASSERT_EQ(cusps.at("shares").size(), 20u);
+    double sum = 0;
+    for (const double share : cusps.at("shares")) {
+        EXPECT_NEAR(share, 0.05, 0.015);
+        sum += share;
+    }
+    EXPECT_NEAR(sum, 1, 1e-9);
+    EXPECT_FALSE(nlohmann::json::parse(limn(ball).output).contains("cusps"));
+}
+
+// Checklist 1 of the procedural structures specification: large OBJ files, and faceted shading in the tests of pictures.
+TEST_F(RenderPattern, Checklist1AFileOfMoreThan65535VerticesIsDrawnWithItsOwnCounts)
+{
+    // A ball whose 281 x 281 vertices come row by row: the last ones are those of its top.
+    const int side = 281;
+    std::string text;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const double down = std::numbers::pi * (1 - (row + 0.5) / side), around = 2 * std::numbers::pi * column / side;
+            text += fmt::format("v {:.7f} {:.7f} {:.7f}\n", std::sin(down) * std::sin(around), std::cos(down), std::sin(down) * std::cos(around));
+        }
+    for (int row = 0; row + 1 < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const int a = row * side + column + 1, b = row * side + (column + 1) % side + 1;
+            text += fmt::format("f {} {} {}\nf {} {} {}\n", a, b, b + side, a, b + side, a + side);
+        }
+    write_text(path("ball.obj"), text);
+    const int vertices = side * side, triangles = 2 * side * (side - 1);
+    ASSERT_GT(vertices, 65535);
+    const nlohmann::json mesh = nlohmann::json::parse(limn("info " + path("ball.obj") + " --quiet --json").output).at("mesh");
+    EXPECT_EQ(mesh.at("vertices"), vertices);
+    EXPECT_EQ(mesh.at("triangles"), triangles);
+    const ProgramResult result = render(path("ball.obj"), "--material layers --layer-height 4mm --view front");
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_NE(result.errors.find("157,360 triangles"), std::string::npos) << result.errors;
+    // As the generated ball, whose vertices are fewer: from its top, which has the last vertices, to its foot.
+    const Image large = read_png(path("a.png"));
+    ASSERT_EQ(limn("sample sphere --triangles 100000 --quiet -o " + path("small.obj")).exit_code, 0);
+    ASSERT_EQ(render(path("small.obj"), "--material layers --layer-height 4mm --view front").exit_code, 0);
+    const Image small = read_png(path("a.png"));
+    int differ = 0;
+    for (std::size_t i = 0; i < large.samples.size(); ++i)
+        differ += std::abs(large.samples[i] - small.samples[i]) > 0.1f;
+    EXPECT_LT(differ, int(large.samples.size() / 50));
+}
+
+// Checklist 2: what `limn render --material layers` does to a model without units.
+TEST_F(RenderPattern, Checklist2AModelWithoutUnitsIs100MillimetresLongAndItsLowestPointIsInTheLowestLayer)
+{
+    // A wall 30 units wide and 20 high, far from the origin: 66.67 mm high, so 20 layers of 10/3 mm, in pixels of 1/10 layer.
+    write_text(path("wall.obj"), "v 1000 507 -40\nv 1030 507 -40\nv 1030 527 -40\nv 1000 527 -40\nf 1 2 3 4\n");
+    const std::string wall = "render " + path("wall.obj") + " --quiet --samples 1 --size 300x200 --ortho --eye 1015,517,60 --look 1015,517,-40 --background '#ff00ff' --light 0,0.6,1 --ground=no " +
+                             "--variety 0 --material layers --layer-height 3.333333333 -o " + path("a.png");
+    const ProgramResult result = limn(wall + " --json");
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const Image image = read_png(path("a.png"));
+    // Grooves between layers are dark: where they are from the wall's foot on, which is the lowest row of it.
+    std::vector<int> rows;
+    for (int y = 0; y < image.height; ++y)
+        if (image.at(150, y)[0] < 0.95f)
+            rows.push_back(y);
+    ASSERT_GT(rows.size(), 150u);
+    const double layer = double(rows.size()) / 20;
+    std::vector<double> grooves;
+    for (std::size_t k = 1; k + 1 < rows.size(); ++k) {
+        const auto tone = [&](std::size_t i) { return image.at(150, rows[i])[1]; };
+        if (tone(k) <= tone(k - 1) && tone(k) < tone(k + 1))
+            grooves.push_back((double(rows.back()) + 1 - rows[k] - 0.5) / layer);
+    }
+    ASSERT_EQ(grooves.size(), 19u) << "between 20 layers";
+    for (std::size_t k = 0; k < grooves.size(); ++k)
+        EXPECT_NEAR(grooves[grooves.size() - 1 - k], double(k + 1), 0.25) << "whole layers above the foot";
 }
 
 TEST_F(RenderPattern, BricksAndThreadAreDrawnWithEveryFilter)

@@ -67,6 +67,12 @@ PatternPoint spot(const vec3 n, const vec3 v, const vec3 t, const vec4 x, const 
     PatternPoint p = {vec3(x.x, x.y, x.z), seen, v, t * (0.1f * k.x), cross(n, t) * (0.1f * k.y)};
     return p;
 }
+float edge_term(const ThreadPattern c, const vec3 n, const vec3 right, const vec3 down)
+{
+    vec2 r = sphere_change(n, right) / (c.hole + c.thread);
+    vec2 d = sphere_change(n, down) / (c.hole + c.thread);
+    return 1.0f + 1.0f / max(min(length(vec2(r.x, d.x)), length(vec2(r.y, d.y))), 1e-6f);
+}
 )";
 Illumination lights(const vec3 l, const vec4 k) { return {l, vec3(2.0f, 1.5f, 1.0f), 0.2f * k.x, vec3(0.0f, 1.0f, 0.0f), vec3(0.4f), vec3(0.1f)}; }
 Finish plastic(const int model, const vec4 k) { return {model, vec3(0.6f, 0.5f, 0.4f), 0.1f, 1.0f + 20.0f * k.y, 0.2f + 0.3f * k.z, 0.3f + 0.4f * k.w, 0.04f}; }
@@ -77,6 +83,12 @@ PatternPoint spot(const vec3& n, const vec3& v, const vec3& t, const vec4& x, co
 {
     const vec3 seen = dot(n, v) < 0.0f ? -n : n;
     return {vec3(x.x, x.y, x.z), seen, v, t * (0.1f * k.x), glm::cross(n, t) * (0.1f * k.y)};
+}
+/// Largest term of a share of threads: places, in cells, by how far a pixel reaches among them.
+float edge_term(const ThreadPattern& c, const vec3& n, const vec3& right, const vec3& down)
+{
+    const vec2 r = sphere_change(n, right) / (c.hole + c.thread), d = sphere_change(n, down) / (c.hole + c.thread);
+    return 1 + 1 / max(min(glm::length(vec2(r.x, d.x)), glm::length(vec2(r.y, d.y))), 1e-6f);
 }
 
 std::vector<float> on_device(const std::string& body, const std::vector<Point>& all)
@@ -171,21 +183,32 @@ const Formula formulas_of_patterns[] = {
          r[2] = thread_lit(c, t, n, v, lit).x; r[3] = sure * thread_at(c, n, n, v, lit).y; s[2] = 40.0f; s[3] = 40.0f;),
     BOTH("thread_through", ThreadPattern c = cloth(k.z > 0.5f ? 1 : 0, k); PatternPoint p = spot(n, v, t, vec4(n, 0.0f), k); Illumination lit = lights(l, k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f;
          vec4 a = thread_through(c, p, KERNEL_GAUSS, 0.5f, lit); vec4 b = thread_through(c, p, KERNEL_BOX, 2.0f, lit); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; r[2] = sure ? b.y : 0.0f; r[3] = sure ? b.w : 0.0f;
-         s[0] = 20.0f; s[1] = 20.0f; s[2] = 20.0f; s[3] = 20.0f;),
+         s[1] = edge_term(c, n, p.right, p.down); s[0] = 2.0f * s[1]; s[2] = s[0]; s[3] = s[1];),
     BOTH("thread_around", ThreadPattern c = cloth(1, k); vec3 centre = vec3(0.1f, 0.2f, 0.3f); PatternPoint p = spot(n, v, t, vec4(centre + n * 1.5f, 0.0f), k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f && abs(dot(n, v)) > 0.01f;
-         vec4 a = thread_around(c, centre, p, KERNEL_GAUSS, 0.5f, lights(l, k)); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; s[0] = 20.0f; s[1] = 60.0f;),
+         vec4 a = thread_around(c, centre, p, KERNEL_GAUSS, 0.5f, lights(l, k)); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; s[1] = edge_term(c, n, p.right / 1.5f, p.down / 1.5f); s[0] = 2.0f * s[1];),
     BOTH("signed_tread, block_normal, seed_treads, block_radiance", PatternPoint p = spot(n, v, t, x, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
          bool sure = length(vec2(n.x, n.y)) > 0.2f && abs(n.y) > 0.2f; vec3 up = vec3(0.0f, 0.0f, 1.0f); vec3 across = vec3(1.0f, 0.0f, 0.0f); r[0] = signed_tread(x.x, k.x); r[1] = sure ? block_normal(n, up, across, k.x, k.y).z : 0.0f; r[2] = seed_treads(x.x, v.z, g);
          r[3] = sure ? block_radiance(stack(LAYERS_VOXEL), plastic(FINISH_BLINN_PHONG, k), p, place, KERNEL_GAUSS, 0.5f, lights(l, k)).x : 0.0f; s[1] = 10.0f; s[2] = 5.0f; s[3] = 60.0f;),
     BOTH("seed_gap, seed_tread, seed_layer_normal, tread_share, slope_tread", LayerPlace place = {x.x, 0.2f, vec2(k.x, k.y)}; float sight = x.y < 0.0f ? -0.1f - 0.9f * k.z : 0.1f + 0.9f * k.z; r[0] = seed_gap(x.x, 0.2f, sight);
          r[1] = seed_tread(stack(LAYERS_SOFT), place, sight); r[2] = seed_layer_normal(n, v, k.x).x; r[3] = tread_share(n.x, v.x, dot(n, v)); r[4] = slope_tread(x.x, k.x); s[0] = 4.0f; s[1] = 100.0f; s[2] = 10.0f;
          s[3] = 1.0f + 1.0f / max(abs(dot(n, v)), 1e-4f);),
-    BOTH("outward, bead_view, bead_phase, bead_point, bead_height, bead_normal, groove_light", vec4 o = outward(n, l); BeadView b = bead_view(0.6f, 0.2f + k.x, x.x, 0.2f + k.y, x.y); float h = mix(b.from, b.to, 0.1f + 0.8f * k.z);
-         vec2 at = bead_point(b, h); float size = 1.0f + b.far * b.far; r[0] = o.x; r[1] = bead_phase(b, x.z) * b.period; r[2] = at.x; r[3] = bead_height(b, at); r[4] = bead_normal(b, 0.6f, h).y; r[5] = groove_light(0.6f, at);
-         s[0] = 1.0f / max(o.w, 0.01f); s[1] = 10.0f * size; s[2] = 10.0f * size; s[3] = 10.0f * size; s[4] = 100.0f * size; s[5] = s[2];),
-    BOTH("bead_radiance, in_groove", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
-         bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && length(vec2(v.x, v.y)) > 0.2f; r[0] = in_groove(lit, 0.5f).above.x;
-         r[1] = sure ? bead_radiance(stack(LAYERS_BEAD), plastic(FINISH_GGX, k), p, place, g, lit).x : 0.0f; s[1] = 40.0f;),
+    BOTH("outward, bead_view, bead_phase, bead_point, bead_normal, across_way, tread_point", vec4 o = outward(n, l); BeadView b = bead_view(0.6f, 0.2f + k.x, x.x, 0.2f + k.y, x.y); float place = mix(b.from, b.to, 0.1f + 0.8f * k.z);
+         vec2 at = bead_point(b, place); r[0] = o.x; r[1] = bead_phase(b, x.z) * b.period; r[2] = at.x; r[3] = across_way(b.way, at); r[4] = bead_normal(0.6f, at).y; r[5] = tread_point(b, b.to + 0.1f * k.w).x * b.way.y;
+         s[0] = 1.0f / max(o.w, 0.01f); s[1] = 10.0f * (1.0f + abs(x.z) * b.period); s[2] = 10.0f / sqrt(max(1.0f - place * place, 0.01f)); s[3] = s[2]; s[4] = 2.0f * s[2]; s[5] = 10.0f;),
+    BOTH("bead_way, soft_on_circles, ramp_integral, ramp_mean, share_past, groove_share", vec2 way = bead_way(0.6f, n.x, n.y); float soft = soft_on_circles(0.6f, n.x, n.y, 0.05f + 0.2f * k.x); vec2 a = vec2(k.y, 1.0f - 2.0f * k.z); vec2 b = a + vec2(0.1f, 0.2f) * k.w;
+         bool sure = length(vec2(n.x, n.y)) > 0.1f; r[0] = sure ? way.x : 0.0f; r[1] = sure ? soft : 0.0f; r[2] = ramp_integral(x.x, 0.1f + k.x); r[3] = ramp_mean(x.x, x.x + 0.1f + k.y, 0.1f + k.x); r[4] = sure ? share_past(way, vec2(-k.x, 2.0f), a, b, 0.1f + soft) : 0.0f;
+         r[5] = sure ? groove_share(2.0f * k.x, way, a, b, 0.1f + soft) : 0.0f; s[0] = 2.0f; s[1] = 5.0f; s[2] = 5.0f; s[3] = 5.0f; s[4] = 5.0f; s[5] = 5.0f;),
+    BOTH("horizon_sine, groove_opening, half_disc, ambient_between", float turn = 1.5f * (1.0f - 2.0f * k.x); vec2 at = vec2(cos(turn), sin(turn)); vec2 sines = groove_opening(0.6f, 2.0f * k.y, at, bead_normal(0.6f, at)); float ahead = abs(dot(normalize(vec2(n.x, n.y)), normalize(vec2(l.x, l.y))));
+         r[0] = ahead > 0.1f ? horizon_sine(vec2(n.x, n.y), normalize(vec2(l.x, l.y))) : 0.0f; r[1] = sines.x; r[2] = sines.y; r[3] = half_disc(2.0f * k.z - 1.0f); r[4] = ambient_between(lights(l, k), n, t, vec2(-k.z, k.w)).y; s[0] = 2.0f; s[1] = 2.0f; s[2] = 2.0f;),
+    BOTH("bead_frame, groove_ambient, groove_reflected", Illumination lit = lights(l, k); BeadFrame f = bead_frame(0.6f, k.y, n, t, lit); vec2 a = normalize(vec2(0.3f + k.x, 1.0f - 2.0f * k.z)); vec2 b = bead_normal(0.6f, a); vec3 ambient = groove_ambient(f, lit, a, b);
+         bool sure = length(f.light) > 0.9f && length(vec2(dot(l, n), dot(l, t))) > 0.2f && length(vec2(dot(v, n), dot(v, t))) > 0.3f; r[0] = ambient.x; r[1] = sure ? f.soft : 0.0f; r[2] = sure ? f.light.y : 0.0f;
+         r[3] = sure ? groove_reflected(f, plastic(FINISH_MATTE, k), b, 0.01f, a, normalize(a + vec2(0.0f, 0.1f)), v, ambient, lit).x : 0.0f; s[0] = 5.0f; s[1] = 5.0f; s[2] = 5.0f; s[3] = 5.0f;),
+    BOTH("bead_radiance, edge_radiance, tread_radiance", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
+         bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && length(vec2(v.x, v.y)) > 0.2f;
+         r[0] = sure ? bead_radiance(stack(LAYERS_BEAD), plastic(FINISH_GGX, k), p, place, g, lit).x : 0.0f; s[0] = 5.0f;),
+    BOTH("corner_share, step_radiance", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && length(vec2(v.x, v.y)) > 0.2f && abs(v.z) > 0.1f;
+         r[0] = corner_share(vec2(x.x, x.y), vec2(-k.x, 1.0f), vec2(-k.x - 0.1f - k.y, 1.0f), 1.0f, 0.2f * k.z); r[1] = sure ? step_radiance(stack(LAYERS_SLOPE), plastic(FINISH_GGX, k), p, 1.0f, lit).x : 0.0f;
+         r[2] = sure ? step_radiance(stack(LAYERS_SLOPE), plastic(FINISH_GGX, k), p, 0.0f, lit).x : 0.0f; s[0] = 5.0f; s[1] = 5.0f; s[2] = 5.0f;),
     BOTH("layer_state, layer_finish, soft_radiance, layers_through", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Finish f = plastic(FINISH_BLINN_PHONG, k);
          Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change); bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && abs(v.z) > 0.1f; r[0] = sure ? layer_state(stack(LAYERS_SEED), f, p, 0.5f, 0.0f, lit).x : 0.0f;
          r[1] = layer_finish(stack(LAYERS_BEAD), f, place, g).colour.x; r[2] = sure ? soft_radiance(stack(LAYERS_SOFT), f, p, place, -v.z, g, lit).x : 0.0f;

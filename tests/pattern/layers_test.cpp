@@ -76,25 +76,28 @@ struct Steps {
 struct Met {
     bool tread = false;
     dvec2 normal = dvec2(0); ///< out and up
+    dvec2 place = dvec2(0);
+    bool any = false;
 };
 
-/// What a line of sight through a place of the slope meets first, from far outside. Directions are out and up.
-Met meet(const Steps& steps, const dvec2& place, const dvec2& sight)
+/// What a line of sight through a place meets first: from far outside, or from `start` of it on. Directions are out and up.
+Met meet(const Steps& steps, const dvec2& place, const dvec2& sight, double start = -1e30)
 {
     double first = 1e30;
     Met met;
     const int middle = int(std::floor(place.y));
+    const auto is_first = [&](double t) { return t > start && t < first; };
     for (int j = middle - 40; j <= middle + 40; ++j) {
         const double half = steps.bulge * 0.5, centre = steps.edge(j) - half, next = steps.edge(j + 1) - half;
         if (sight.y != 0) { // the tread on layer j
             const double t = (j + 1 - place.y) / sight.y, x = place.x + t * sight.x;
-            if (x <= std::max(centre, next) && x >= std::min(centre, next) && t < first)
-                first = t, met = {true, {0, next <= centre ? 1 : -1}};
+            if (x <= std::max(centre, next) && x >= std::min(centre, next) && is_first(t))
+                first = t, met = {true, {0, next <= centre ? 1 : -1}, {x, j + 1}};
         }
         if (half == 0) {
             const double t = (centre - place.x) / sight.x, y = place.y + t * sight.y;
-            if (y >= j && y <= j + 1 && t < first)
-                first = t, met = {false, {1, 0}};
+            if (y >= j && y <= j + 1 && is_first(t))
+                first = t, met = {false, {1, 0}, {centre, y}};
             continue;
         }
         const dvec2 scale = {1 / half, 2}, from = (place - dvec2(centre, j + 0.5)) * scale, along = sight * scale;
@@ -103,9 +106,10 @@ Met meet(const Steps& steps, const dvec2& place, const dvec2& sight)
             continue;
         const double t = (-b - std::sqrt(d)) / a;
         const dvec2 at = from + t * along;
-        if (at.x >= 0 && t < first)
-            first = t, met = {false, glm::normalize(at * scale)};
+        if (at.x >= 0 && is_first(t))
+            first = t, met = {false, glm::normalize(at * scale), place + t * sight};
     }
+    met.any = first < 1e30;
     return met;
 }
 
@@ -114,8 +118,8 @@ struct Look {
     dvec2 normal, sight; ///< of the slope; of the eye's ray
 };
 
-/// A random slope, view and place; the eye is in the plane of slope and print direction.
-Look look(std::uint64_t i)
+/// A random slope, view and place; the eye is in the plane of slope and print direction. @param widest  angle of the eye from level, degrees: beyond 90 it is behind the steps
+Look look(std::uint64_t i, double widest = 85)
 {
     Random random(12, i);
     Look l;
@@ -123,7 +127,7 @@ Look look(std::uint64_t i)
     l.normal = {std::cos(tilt), std::sin(tilt)};
     l.cot = std::tan(tilt);
     do {
-        const double angle = random.uniform(-85, 85) * std::numbers::pi / 180;
+        const double angle = random.uniform(-widest, widest) * std::numbers::pi / 180;
         l.sight = {-std::cos(angle), -std::sin(angle)};
     } while (glm::dot(l.normal, l.sight) > -0.05);
     l.at = random.uniform(-3, 3);
@@ -152,27 +156,149 @@ TEST(Checklist20, AVerticalWallShowsNoTreads)
     EXPECT_EQ(tread_share(-0.3f, 0.5f, 0.4f), 0.0f) << "nor does an overhang from above";
 }
 
-TEST(Beads, AreWhatRaysSeeOfRoundedSteps)
+TEST(Beads, AreWhatRaysSeeOfRoundedStepsFromBeforeAndBehind)
 {
-    int checked = 0, wrong = 0;
+    int checked = 0, wrong = 0, behind = 0;
     for (std::uint64_t i = 0; i < 20000; ++i) {
-        const Look l = look(i);
+        const Look l = look(i, 170);
         const float bulge = 0.2f + 0.8f * float(i % 5) / 4;
         const BeadView view = bead_view(bulge, float(l.normal.x), float(l.normal.y), float(-l.sight.x), float(-l.sight.y));
         const Met met = meet({l.cot, double(bulge)}, {-l.at * l.cot, l.at}, l.sight);
-        const float phase = bead_phase(view, float(l.at)), turns = phase - std::floor(phase), height = view.from + turns * view.period;
-        if (std::min({turns, 1 - turns, std::abs(height - view.to) / view.period}) < 0.003f)
+        const float phase = bead_phase(view, float(l.at)), turns = phase - std::floor(phase), across = view.from + turns * view.period;
+        if (std::min({turns, 1 - turns, std::abs(across - view.to) / view.period}) < 0.003f)
             continue;
         ++checked;
+        behind += l.sight.x > 0;
         dvec2 n = {0, double(view.turned)};
-        if (height < view.to) {
-            const vec2 bent = bead_normal(view, bulge, height);
+        if (across < view.to) {
+            const vec2 bent = bead_normal(bulge, bead_point(view, across));
             n = {double(bent.x), double(view.turned * bent.y)};
         }
-        wrong += met.tread != (height > view.to) || glm::length(n - met.normal) > 0.02;
+        wrong += met.tread != (across > view.to) || glm::length(n - met.normal) > 0.02;
     }
     EXPECT_GT(checked, 18000);
+    EXPECT_GT(behind, 2000);
     EXPECT_LE(wrong, checked / 500);
+}
+
+/// A stack under one light, sky and floor, as its pixels see it on average.
+struct Groove {
+    double tilt, bulge;        ///< of the slope, radians from upright; of its edges
+    vec3 to_eye, to_light;     ///< out, along the beads, up
+    vec3 sky = vec3(1), light = vec3(1);
+};
+
+Groove groove(std::uint64_t i)
+{
+    Random random(31, i);
+    Groove g;
+    g.tilt = random.uniform(-1.2, 1.2);
+    g.bulge = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : 0.5;
+    const vec3 n = {float(std::cos(g.tilt)), 0, float(std::sin(g.tilt))};
+    do
+        g.to_eye = direction(random);
+    while (glm::dot(g.to_eye, n) < 0.2f);
+    do
+        g.to_light = direction(random);
+    while (glm::dot(g.to_light, n) < 0.1f);
+    return g;
+}
+
+Illumination illumination(const Groove& g) { return {g.to_light, g.light, 0, {0, 0, 1}, g.sky, 0.3f * g.sky}; }
+
+Finish matte() { return {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}; }
+
+/// The model's mean over many layers.
+double modelled(const Groove& g)
+{
+    const LayerPattern s = {g.bulge > 0 ? LAYERS_BEAD : LAYERS_SLOPE, {0, 0, 1}, 0, 1, float(g.bulge), 0, {1, 0, 0}, 1};
+    const PatternPoint p = {vec3(0), {float(std::cos(g.tilt)), 0, float(std::sin(g.tilt))}, g.to_eye, vec3(0), vec3(0)};
+    return double(layers_through(s, matte(), p, {0, 1, vec2(20, 20)}, KERNEL_GAUSS, 0.5f, illumination(g)).x);
+}
+
+/// The same by rays: lines of sight in even steps, each with a line to the light and some to sky and floor.
+double traced(const Groove& g)
+{
+    const Steps steps = {std::tan(g.tilt), g.bulge};
+    const Illumination lit = illumination(g);
+    const auto is_open = [&](const dvec2& from, const vec3& way) {
+        const dvec2 flat = {double(way.x), double(way.z)};
+        return glm::length(flat) < 1e-4 || !meet(steps, from, glm::normalize(flat), 1e-6).any;
+    };
+    constexpr int sights = 48, rings = 6, spokes = 24;
+    double sum = 0;
+    for (int k = 0; k < sights; ++k) {
+        const double at = (k + 0.5) / sights;
+        const Met met = meet(steps, {-at * steps.cot, at}, -glm::normalize(dvec2(double(g.to_eye.x), double(g.to_eye.z))));
+        const vec3 n = {float(met.normal.x), 0, float(met.normal.y)}, aside = {-n.z, 0, n.x};
+        vec3 light(0);
+        if (is_open(met.place, g.to_light))
+            light += lit.light * facing(n, g.to_light) / std::numbers::pi_v<float>;
+        for (int i = 0; i < rings; ++i)
+            for (int j = 0; j < spokes; ++j) { // as often as the cosine is high
+                const float radius = std::sqrt((float(i) + 0.5f) / rings), turn = 2 * std::numbers::pi_v<float> * (float(j) + 0.5f) / spokes;
+                const vec3 way = radius * std::cos(turn) * aside + radius * std::sin(turn) * vec3(0, 1, 0) + std::sqrt(1 - radius * radius) * n;
+                if (is_open(met.place, way))
+                    light += radiance_around(lit, way) / float(rings * spokes);
+            }
+        sum += double(light.x) / sights;
+    }
+    return sum;
+}
+
+// The mean radiance of prints whose layers are finer than pixels, with what edges hide from each other.
+TEST(Grooves, HideAsMuchLightAsRaysFindHidden)
+{
+    double hidden = 0;
+    for (std::uint64_t i = 0; i < 90; ++i) {
+        Groove g = groove(i);
+        g.light = vec3(3), g.sky = vec3(0);
+        const double wanted = traced(g), open = double(facing({float(std::cos(g.tilt)), 0, float(std::sin(g.tilt))}, g.to_light)) * 3 / std::numbers::pi;
+        EXPECT_NEAR(modelled(g), wanted, 0.03 + 0.05 * wanted) << i << " tilt " << g.tilt << " bulge " << g.bulge << " light " << g.to_light.x << " " << g.to_light.z;
+        hidden += std::max(0.0, open - wanted);
+    }
+    EXPECT_GT(hidden, 1) << "some of them have shadows";
+}
+
+TEST(Grooves, SeeAsMuchOfTheSkyAsRaysDo)
+{
+    double least = 1;
+    for (std::uint64_t i = 0; i < 90; ++i) {
+        Groove g = groove(i);
+        g.light = vec3(0);
+        const double wanted = traced(g);
+        EXPECT_NEAR(modelled(g), wanted, 0.02 + 0.02 * wanted) << i << " tilt " << g.tilt << " bulge " << g.bulge << " eye " << g.to_eye.x << " " << g.to_eye.z;
+        least = std::min(least, wanted);
+    }
+    EXPECT_LT(least, 0.4);
+}
+
+TEST(Grooves, OfNoDepthSeeTheLightOfTheirSurface)
+{
+    Random random(33);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3 n = direction(random), aside = glm::normalize(glm::cross(n, direction(random)));
+        const Illumination lit = {{0, 0, 1}, vec3(0), 0, direction(random), vec3(1, 2, 3), vec3(0.5f)};
+        EXPECT_LT(glm::length(ambient_between(lit, n, aside, {-1, 1}) - ambient_around(lit, n)), 1e-5f);
+        EXPECT_LT(glm::length(ambient_between(lit, n, aside, {0.4f, 0.4f})), 1e-5f);
+    }
+}
+
+TEST(Ambient, IsTheMeanOfSkyAndFloor)
+{
+    for (int i = 0; i < 20; ++i) {
+        Random random(34, std::uint64_t(i));
+        const Illumination lit = {{0, 0, 1}, vec3(0), 0, {0, 1, 0}, vec3(0.4f, 0.5f, 0.6f), vec3(0.1f)};
+        const vec3 n = direction(random), a = glm::normalize(glm::cross(n, std::abs(n.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0))), b = glm::cross(n, a);
+        vec3 sum(0);
+        const int rings = 40, spokes = 80;
+        for (int r = 0; r < rings; ++r)
+            for (int k = 0; k < spokes; ++k) {
+                const float radius = std::sqrt((float(r) + 0.5f) / rings), turn = 2 * std::numbers::pi_v<float> * (float(k) + 0.5f) / spokes;
+                sum += radiance_around(lit, radius * (std::cos(turn) * a + std::sin(turn) * b) + std::sqrt(1 - radius * radius) * n) / float(rings * spokes);
+            }
+        EXPECT_LT(glm::length(ambient_around(lit, n) - sum), 2e-3f);
+    }
 }
 
 TEST(Beads, GoOverIntoFlatStepsAsTheyGetFlatter)

@@ -27,6 +27,18 @@ PrintPath wall()
     return gcode_from_text(text, "wall");
 }
 
+/// A wall whose layers step back, three beads thick.
+PrintPath slope()
+{
+    std::string text = "G90\nM83\n";
+    for (int layer = 1; layer <= 120; ++layer) {
+        text += fmt::format(";LAYER_CHANGE\n;HEIGHT:0.2\nG1 Z{:.1f} F6000\n;TYPE:External perimeter\n;WIDTH:0.45\n", 0.2 * layer);
+        for (int bead = 0; bead < 3; ++bead)
+            text += fmt::format("G1 X0 Y{0:.2f}\nG1 X40 Y{0:.2f} E2 F1200\n", 0.12 * layer + 0.4 * bead);
+    }
+    return gcode_from_text(text, "slope");
+}
+
 /// Beads side by side, as they fill the space.
 PrintPath slab()
 {
@@ -75,6 +87,11 @@ TEST(PrintPicture, BeadsAndTheLayersTheyMakeHaveOneMeanRadiance)
     for (const std::string view : {"0,0", "40,20", "60,50", "0,-20"}) {
         const vec3 near = shoot(walls, view, 0, 64).mean, far = shoot(walls, view, 1000, 64).mean;
         EXPECT_NEAR(far.y / near.y, 1, 0.03) << view;
+    }
+    const PrintPath leaning = slope();
+    for (const std::string view : {"0,0", "40,20", "-30,40"}) {
+        const vec3 near = shoot(leaning, view, 0, 64).mean, far = shoot(leaning, view, 1000, 64).mean;
+        EXPECT_NEAR(far.y / near.y, 1, 0.09) << view << ": bodies know what hides the sky right above them, not before a step";
     }
     const PrintPath floor = slab();
     for (const std::string view : {"0,35", "40,20", "-50,60"}) {

@@ -75,10 +75,11 @@ FORMULA float ggx_ambient(const float f0, const float alpha, const float nv)
 
 // Radiance towards the eye. `t` is a unit tangent: for anisotropic finishes. `spread` is the variance across it (radians squared) of normals
 // that the pixel sees about `n`: they widen highlights.
-FORMULA vec3 reflected(const Finish f, const vec3 n, const vec3 t, const vec3 to_eye, const float spread, const Illumination lit)
+// `ambient` is the mean radiance of sky and floor that reaches the place, and `seen` how much of them it sees along the mirrored line of sight.
+FORMULA vec3 reflected_in(const Finish f, const vec3 n, const vec3 t, const vec3 to_eye, const float spread, const Illumination lit, const vec3 ambient, const float seen)
 {
     float cosine = facing(n, lit.to_light);
-    vec3 diffuse_light = lit.light * (cosine / BRDF_PI) + ambient_around(lit, n);
+    vec3 diffuse_light = lit.light * (cosine / BRDF_PI) + ambient;
     float wide = spread + lit.radius * lit.radius / 16.0f;
     if (f.model == FINISH_GGX) {
         float grow = lit.radius * lit.radius / 8.0f;
@@ -90,7 +91,7 @@ FORMULA vec3 reflected(const Finish f, const vec3 n, const vec3 t, const vec3 to
         float nv = clamp(dot(n, to_eye), 0.0f, 1.0f);
         float around = ggx_ambient(f.f0, sqrt(along * across), nv);
         vec3 mirrored = n * (2.0f * dot(n, to_eye)) - to_eye;
-        return f.colour * diffuse_light * (1.0f - around) + lit.light * (shine * cosine) + radiance_around(lit, mirrored) * around;
+        return f.colour * diffuse_light * (1.0f - around) + lit.light * (shine * cosine) + radiance_around(lit, mirrored) * (around * seen);
     }
     float lobe = 0.0f;
     float exponent = f.exponent / (1.0f + f.exponent * wide);
@@ -99,6 +100,12 @@ FORMULA vec3 reflected(const Finish f, const vec3 n, const vec3 t, const vec3 to
     if (f.model == FINISH_BLINN_PHONG)
         lobe = blinn_phong_lobe(n, lit.to_light, to_eye, exponent);
     return f.colour * diffuse_light + lit.light * (f.specular * lobe * cosine);
+}
+
+// The same of a place in the open.
+FORMULA vec3 reflected(const Finish f, const vec3 n, const vec3 t, const vec3 to_eye, const float spread, const Illumination lit)
+{
+    return reflected_in(f, n, t, to_eye, spread, lit, ambient_around(lit, n), 1.0f);
 }
 
 // Hair and thread after Kajiya and Kay: the diffuse part, in [0,1], for a tangent t.

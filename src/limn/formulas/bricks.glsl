@@ -326,7 +326,7 @@ FORMULA vec3 bricks_through(const BrickPattern b, const Finish f, const PatternP
         }
     }
     if (matte)
-        sum = sum + b.mortar * (lit.light * (lights.x / BRDF_PI) + lit.below * lights.z + (lit.above - lit.below) * (0.5f * (lights.z + lights.y)));
+        sum = sum + b.mortar * (lit.light * (lights.x / BRDF_PI) + lit.below * lights.z + (lit.above - lit.below) * (0.5f * lights.z + AMBIENT_TILT * lights.y));
     Finish brick = f;
     brick.colour = brick_colour(b, brick_place(b, p.position), clamp(1.5f - 2.0f * s.wide, 0.0f, 1.0f));
     if (bricks > 1e-4f)

@@ -19,6 +19,7 @@ using glm::cos; // and mean these, whatever else of the name there is in limn
 using glm::exp;
 using glm::sin;
 #include "limn/formulas/apparent_ridge.glsl"
+#include "limn/formulas/bead_profile.glsl"
 #include "limn/formulas/brdf.glsl"
 #include "limn/formulas/bricks.glsl"
 #include "limn/formulas/crease_outline.glsl"

@@ -1,6 +1,7 @@
 // Layers of a 3D print, computed from position and line of sight alone (the procedural structures specification, 2.8, 7.1, 7.2 and 7.5). Three
 // models: the seed's; the staircase that the slope really has; and the staircase with rounded edges, as beads of plastic have them.
 #pragma once
+#include "limn/formulas/bead_profile.glsl"
 #include "limn/formulas/brdf.glsl"
 #include "limn/formulas/pattern_point.glsl"
 #include "limn/formulas/periodic_blur.glsl"
@@ -89,138 +90,114 @@ FORMULA float slope_tread(const float at, const float share)
     return abs(at - floor(at + 0.5f)) <= 0.5f * share ? 1.0f : 0.0f;
 }
 
-// The level direction out of a surface, and how much of the normal it is.
-FORMULA vec4 outward(const vec3 n, const vec3 up)
-{
-    vec3 level = n - up * dot(n, up);
-    float size = length(level);
-    if (size < 1e-4f)
-        return vec4(0.0f, 0.0f, 0.0f, 0.0f);
-    return vec4(level / size, size);
-}
-
-// A stack of rounded edges as a line of sight meets it. Lengths across are in bulges, heights in half layers, from the middle of an edge; all
-// is turned over where the surface faces down.
-struct BeadView {
-    float steep;    // rise of the line of sight for one across
-    float far;      // sqrt(1 + steep^2): where it touches an edge
-    float period;   // from edge to edge, of its height straight above an edge's middle
-    float from;     // the first height at which an edge is seen, and the last
-    float to;
-    float turned;   // -1 where turned over, else 1
-    int only;       // 1: nothing but treads is seen; 0: edges too
+// Where edges stand in space, and the light on them.
+struct BeadFrame {
+    vec3 out_dir; // unit, level
+    vec3 up;      // unit, to where the surface faces
+    vec3 along;   // unit, of the beads
+    float bulge;
+    float shift;  // of BeadView
+    vec2 light;   // the way to the light on circles, and half of its width there
+    float soft;
 };
 
-FORMULA BeadView bead_view(const float bulge, const float n_out, const float n_up, const float eye_out, const float eye_up)
+FORMULA BeadFrame bead_frame(const float bulge, const float shift, const vec3 out_dir, const vec3 up, const Illumination lit)
 {
-    float turned = n_up < 0.0f ? -1.0f : 1.0f;
-    BeadView view = {0.0f, 1.0f, 2.0f, -1.0f, 1.0f, turned, 0};
-    float above = turned * eye_up;
-    if (n_out < 1e-3f || (eye_out < 1e-4f && above > 0.0f)) {
-        view.only = 1;
-        return view;
-    }
-    float rise = clamp(above / max(eye_out, 1e-4f), -1e4f, 1e4f);
-    view.steep = rise * bulge;
-    view.far = sqrt(1.0f + view.steep * view.steep);
-    view.period = max(2.0f + 2.0f * rise * abs(n_up) / n_out, 1e-3f);
-    view.from = view.steep >= 0.0f ? -view.far : view.far - view.period;
-    view.to = view.steep >= 0.0f ? min(1.0f, view.period - view.far) : view.far;
-    return view;
+    float out_part = dot(lit.to_light, out_dir);
+    float up_part = dot(lit.to_light, up);
+    BeadFrame frame = { out_dir, up, cross(up, out_dir), bulge, shift, bead_way(bulge, out_part, up_part), soft_on_circles(bulge, out_part, up_part, lit.radius) };
+    return frame;
 }
 
-// The phase of a line of sight through the point at `at` layers of the surface, of which the edges touch the outermost places: from 0 where
-// an edge comes in sight, over to - from (of a period), to 1.
-FORMULA float bead_phase(const BeadView view, const float at)
+// Sky and floor that a place in the groove sees: ambient_around of what is not hidden.
+FORMULA vec3 groove_ambient(const BeadFrame frame, const Illumination lit, const vec2 at, const vec2 n)
 {
-    return view.turned * (at - 0.5f) - (view.steep + view.from) / view.period;
+    vec3 normal = frame.out_dir * n.x + frame.up * n.y;
+    vec3 aside = frame.up * n.x - frame.out_dir * n.y;
+    return ambient_between(lit, normal, aside, groove_opening(frame.bulge, frame.shift, at, n));
 }
 
-// Where the line of sight of a height meets an edge: across and up.
-FORMULA vec2 bead_point(const BeadView view, const float height)
+// Radiance from between two places that have about one normal, whose variance is `spread`. `ambient` is the light of sky and floor that reaches them.
+FORMULA vec3 groove_reflected(const BeadFrame frame, const Finish f, const vec2 n, const float spread, const vec2 first, const vec2 last, const vec3 to_eye, const vec3 ambient, const Illumination lit)
 {
-    float across = (sqrt(max(view.far * view.far - height * height, 0.0f)) - view.steep * height) / (view.far * view.far);
-    across = max(across, 0.0f);
-    return vec2(across, height + view.steep * across);
+    vec3 normal = frame.out_dir * n.x + frame.up * n.y;
+    Illumination own = lit;
+    own.light = lit.light * groove_share(frame.shift, frame.light, first, last, frame.soft);
+    vec3 mirrored = normal * (2.0f * dot(normal, to_eye)) - to_eye;
+    float out_part = dot(mirrored, frame.out_dir);
+    float up_part = dot(mirrored, frame.up);
+    float seen = groove_share(frame.shift, bead_way(frame.bulge, out_part, up_part), first, last, soft_on_circles(frame.bulge, out_part, up_part, 0.1f + 2.0f * sqrt(spread)));
+    return reflected_in(f, normal, frame.along, to_eye, spread, own, ambient, seen);
 }
 
-// The height at which that is seen.
-FORMULA float bead_height(const BeadView view, const vec2 at)
+// Radiance of a part of an edge, given by its middle and standard deviation across the line of sight.
+FORMULA vec3 edge_radiance(const BeadFrame frame, const BeadView view, const Finish f, const vec3 to_eye, const float middle, const float spread, const Illumination lit)
 {
-    return at.y - view.steep * at.x;
+    // Two points of Gauss' rule for what changes slowly, and all of the part for edges of shadows.
+    vec2 low = bead_point(view, max(middle - spread, view.from));
+    vec2 high = bead_point(view, min(middle + spread, view.to));
+    vec2 first = bead_point(view, max(middle - 1.7320508f * spread, view.from));
+    vec2 last = bead_point(view, min(middle + 1.7320508f * spread, view.to));
+    vec2 n_low = bead_normal(frame.bulge, low);
+    vec2 n_high = bead_normal(frame.bulge, high);
+    vec2 apart = n_high - n_low;
+    vec3 ambient = 0.5f * (groove_ambient(frame, lit, low, n_low) + groove_ambient(frame, lit, high, n_high));
+    return groove_reflected(frame, f, bead_normal(frame.bulge, bead_point(view, middle)), 0.25f * dot(apart, apart), first, last, to_eye, ambient, lit);
 }
 
-// The normal of an edge, out and up.
-FORMULA vec2 bead_normal(const BeadView view, const float bulge, const float height)
+// The same of a part of a tread: three points, as the groove's bottom is dark.
+FORMULA vec3 tread_radiance(const BeadFrame frame, const BeadView view, const Finish f, const vec3 to_eye, const float middle, const float spread, const Illumination lit)
 {
-    vec2 at = bead_point(view, height);
-    vec2 n = vec2(at.x, bulge * at.y);
-    return n * inversesqrt(max(dot(n, n), 1e-12f));
-}
-
-// How much of what is around reaches the groove between two edges: all outside, none at the bottom.
-FORMULA float groove_light(const float bulge, const vec2 at)
-{
-    return mix(1.0f, at.x, 0.7f * min(bulge, 1.0f));
-}
-
-FORMULA Illumination in_groove(const Illumination lit, const float open)
-{
-    Illumination dim = lit;
-    dim.above = lit.above * open;
-    dim.below = lit.below * open;
-    return dim;
+    float end = view.period + view.from;
+    float reach = 1.3416408f * spread;
+    vec2 n = vec2(0.0f, 1.0f);
+    vec3 ambient = (8.0f * groove_ambient(frame, lit, tread_point(view, middle), n) + 5.0f * groove_ambient(frame, lit, tread_point(view, max(middle - reach, view.to)), n) +
+                    5.0f * groove_ambient(frame, lit, tread_point(view, min(middle + reach, end)), n)) / 18.0f;
+    vec2 first = tread_point(view, max(middle - 1.7320508f * spread, view.to));
+    vec2 last = tread_point(view, min(middle + 1.7320508f * spread, end));
+    return groove_reflected(frame, f, n, 0.0f, first, last, to_eye, ambient, lit);
 }
 
 // Radiance of the bead model, each part of an edge shaded once and weighted with its share of the kernel.
 FORMULA vec3 bead_radiance(const LayerPattern s, const Finish f, const PatternPoint p, const LayerPlace place, const Blur blur, const Illumination lit)
 {
     float n_up = dot(p.normal, s.up);
-    float eye_up = dot(p.to_eye, s.up);
     vec4 level = outward(p.normal, s.up);
     vec3 out_dir = vec3(level.x, level.y, level.z);
-    BeadView view = bead_view(s.bulge, level.w, n_up, dot(p.to_eye, out_dir), eye_up);
+    BeadView view = bead_view(s.bulge, level.w, n_up, dot(p.to_eye, out_dir), dot(p.to_eye, s.up));
     vec3 up = s.up * view.turned;
-    vec3 along = abs(dot(p.to_eye, s.up)) < 0.999f ? normalize(cross(s.up, p.to_eye)) : p.right * inversesqrt(max(dot(p.right, p.right), 1e-20f));
-    if (view.only == 1)
+    if (view.only == 1) {
+        vec3 along = abs(dot(p.to_eye, s.up)) < 0.999f ? normalize(cross(s.up, p.to_eye)) : p.right * inversesqrt(max(dot(p.right, p.right), 1e-20f));
         return reflected(f, up, along, p.to_eye, 0.0f, lit);
-    vec3 tangent = cross(s.up, out_dir);
+    }
+    BeadFrame frame = bead_frame(s.bulge, view.shift, out_dir, up, lit);
     float phase = bead_phase(view, place.at);
     // Quarters of the edge by the angle of its circle.
-    vec2 first = bead_point(view, view.from);
-    vec2 last = bead_point(view, view.to);
-    vec2 middle = normalize(first + last + vec2(1e-6f, 0.0f));
-    const float heights[5] = { view.from, bead_height(view, normalize(first + middle)), bead_height(view, middle), bead_height(view, normalize(middle + last)), view.to };
+    vec2 start_point = bead_point(view, view.from);
+    vec2 end_point = bead_point(view, view.to);
+    vec2 middle = normalize(start_point + end_point + vec2(1e-6f, 0.0f));
+    const float ends[5] = { view.from, across_way(view.way, normalize(start_point + middle)), across_way(view.way, middle), across_way(view.way, normalize(middle + end_point)), view.to };
     vec2 before = blurred_saw(phase, blur);
     vec2 start = before;
     vec3 sum = vec3(0.0f, 0.0f, 0.0f);
     for (int k = 0; k < 4; ++k) {
-        float size = (heights[k + 1] - heights[k]) / view.period;
-        vec2 after = blurred_saw(phase - (heights[k + 1] - view.from) / view.period, blur);
-        Stretch part = stretch_under(before, after, size, blur);
+        vec2 after = blurred_saw(phase - (ends[k + 1] - view.from) / view.period, blur);
+        Stretch part = stretch_under(before, after, (ends[k + 1] - ends[k]) / view.period, blur);
         before = after;
-        if (part.weight < 1e-3f)
-            continue;
-        float centre = 0.5f * (heights[k] + heights[k + 1]) + part.middle * view.period;
-        float reach = part.spread * view.period;
-        vec2 n = bead_normal(view, s.bulge, centre);
-        vec2 apart = bead_normal(view, s.bulge, min(centre + reach, view.to)) - bead_normal(view, s.bulge, max(centre - reach, view.from));
-        Illumination dim = in_groove(lit, groove_light(s.bulge, bead_point(view, centre)));
-        sum = sum + part.weight * reflected(f, out_dir * n.x + up * n.y, tangent, p.to_eye, 0.25f * dot(apart, apart), dim);
+        if (part.weight > 1e-3f)
+            sum = sum + part.weight * edge_radiance(frame, view, f, p.to_eye, 0.5f * (ends[k] + ends[k + 1]) + part.middle * view.period, part.spread * view.period, lit);
     }
-    float treads = clamp(1.0f - (view.to - view.from) / view.period, 0.0f, 1.0f);
-    float share = clamp(treads + start.x - before.x, 0.0f, 1.0f);
-    if (treads > 1e-4f && share > 1e-3f)
-        sum = sum + share * reflected(f, up, tangent, p.to_eye, 0.0f, lit);
+    float tread = view.period - (view.to - view.from);
+    Stretch part = stretch_under(before, start, tread / view.period, blur);
+    if (tread > 1e-4f * view.period && part.weight > 1e-3f)
+        sum = sum + part.weight * tread_radiance(frame, view, f, p.to_eye, view.to + 0.5f * tread + part.middle * view.period, part.spread * view.period, lit);
     return sum;
 }
 
-// Radiance of a tread or riser of the seed's and of the slope's model.
+// Radiance of a tread or riser of the seed's models.
 FORMULA vec3 layer_state(const LayerPattern s, const Finish f, const PatternPoint p, const float tread, const float spread, const Illumination lit)
 {
     vec3 n = seed_layer_normal(p.normal, s.up, tread);
-    if (s.model == LAYERS_SLOPE && tread > 0.5f)
-        n = dot(p.normal, s.up) < 0.0f ? -s.up : s.up;
     vec3 t = cross(s.up, p.normal);
     float size = dot(t, t);
     if (size < 1e-10f) {
@@ -228,6 +205,42 @@ FORMULA vec3 layer_state(const LayerPattern s, const Finish f, const PatternPoin
         size = dot(t, t);
     }
     return reflected(f, n, t * inversesqrt(size), p.to_eye, spread, lit);
+}
+
+// How much of a light gets past the corner of a step, on average between two places from which the corner lies in these directions. Turning from `low` to `high`
+// one sees more; all is out and up.
+FORMULA float corner_share(const vec2 way, const vec2 low, const vec2 high, const float turn, const float radius)
+{
+    return ramp_mean(turn * across_way(way, low), turn * across_way(way, high), max(radius, 0.02f) * 0.5f * (length(low) + length(high)));
+}
+
+// Radiance of what is seen of a tread or riser of flat steps, with what the step above or below hides from it on average. Lengths are in layers.
+FORMULA vec3 step_radiance(const LayerPattern s, const Finish f, const PatternPoint p, const float tread, const Illumination lit)
+{
+    vec4 level = outward(p.normal, s.up);
+    float n_up = dot(p.normal, s.up);
+    vec3 up = n_up < 0.0f ? -s.up : s.up;
+    if (level.w < 1e-3f)
+        return layer_state(s, f, p, 1.0f, 0.0f, lit);
+    vec3 out_dir = vec3(level.x, level.y, level.z);
+    float width = abs(n_up) / level.w; // of treads
+    vec2 eye = vec2(dot(p.to_eye, out_dir), dot(p.to_eye, up));
+    vec2 light = vec2(dot(lit.to_light, out_dir), dot(lit.to_light, up));
+    bool is_tread = tread > 0.5f;
+    vec3 n = is_tread ? up : out_dir;
+    vec3 mirrored = n * (2.0f * dot(n, p.to_eye)) - p.to_eye;
+    vec2 reflection = vec2(dot(mirrored, out_dir), dot(mirrored, up));
+    // From the innermost place that is seen to the outermost, or from the lowest to the highest: where the corner lies that hides the most.
+    float first = is_tread ? clamp(-eye.x / max(eye.y, 1e-6f), 0.0f, 0.99f * width) : clamp(-width * eye.y / max(eye.x, 1e-6f), 0.0f, 0.99f);
+    vec2 low = is_tread ? vec2(-first, 1.0f) : vec2(width, -first);
+    vec2 high = is_tread ? vec2(-width, 1.0f) : vec2(width, -1.0f);
+    float sine = (length(high) - length(low)) / max(is_tread ? width - first : 1.0f - first, 1e-4f); // its mean
+    float turn = is_tread ? 1.0f : -1.0f;
+    vec2 sines = is_tread ? vec2(-1.0f, min(sine, 1.0f)) : vec2(max(-sine, -1.0f), 1.0f);
+    Illumination own = lit;
+    own.light = lit.light * corner_share(light, low, high, turn, lit.radius);
+    vec3 ambient = ambient_between(lit, n, is_tread ? -out_dir : up, sines);
+    return reflected_in(f, n, cross(up, out_dir), p.to_eye, 0.0f, own, ambient, corner_share(reflection, low, high, turn, 0.1f));
 }
 
 // A layer's own shade of the colour: it fades where a pixel sees several.
@@ -308,15 +321,17 @@ FORMULA vec3 layers_through(const LayerPattern s, const Finish f, const PatternP
         share = tread_share(dot(p.normal, s.up), eye_up, dot(p.normal, p.to_eye));
         start = -0.5f * share;
     }
-    if (blur.kernel == KERNEL_NONE) {
-        float here = s.model == LAYERS_SLOPE ? slope_tread(place.at, share) : seed_tread(s, place, -eye_up);
-        return layer_state(s, own, p, here, 0.0f, lit);
-    }
-    float treads = blurred_pulse(place.at, start, share, blur);
+    float treads = 0.0f;
+    if (blur.kernel != KERNEL_NONE)
+        treads = blurred_pulse(place.at, start, share, blur);
+    else if (s.model == LAYERS_SLOPE)
+        treads = slope_tread(place.at, share);
+    else
+        return layer_state(s, own, p, seed_tread(s, place, -eye_up), 0.0f, lit);
     vec3 sum = vec3(0.0f, 0.0f, 0.0f);
     if (treads > 1e-4f)
-        sum = treads * layer_state(s, own, p, 1.0f, 0.0f, lit);
+        sum = treads * (s.model == LAYERS_SLOPE ? step_radiance(s, own, p, 1.0f, lit) : layer_state(s, own, p, 1.0f, 0.0f, lit));
     if (treads < 0.9999f)
-        sum = sum + (1.0f - treads) * layer_state(s, own, p, 0.0f, 0.0f, lit);
+        sum = sum + (1.0f - treads) * (s.model == LAYERS_SLOPE ? step_radiance(s, own, p, 0.0f, lit) : layer_state(s, own, p, 0.0f, 0.0f, lit));
     return sum;
 }

@@ -12,11 +12,15 @@ const vec3 up = {0, 0, 1};
 constexpr float floor_from = 0.9f;         ///< of the normal, upright: treads are as wide as a bead from there on
 constexpr float mixed_until = 1.5f;        ///< times the detail, from where on beads are drawn one by one alone
 constexpr float from_behind = 0.25f;       ///< facing, below which steps come to be seen from behind: the filter knows only treads there
+constexpr float furthest_shift = 4;       ///< of a bead from the one that hides something of it
 constexpr float rare_layers = 40;          ///< pixels from step to step: a pixel in a floor that sees none
 constexpr float corner_area = 0.21460184f; ///< 1 - pi/4
 
 /// From middle to middle of beads side by side, whose sections fill the space.
 float spacing_of(const BeadShape& shape) { return std::max(shape.width() - corner_area * shape.height(), 0.5f * shape.width()); }
+
+/// How far the round sides of beads stand out, by half their height.
+float edge_bulge(const BeadShape& shape) { return std::min(1.0f, shape.width() / shape.height()); }
 
 float period(const PatternPoint& p, const vec3& direction, float length)
 {
@@ -47,19 +51,30 @@ BeadShader::BeadShader(const SeenPrint& print, const PrintPath& path, const Patt
 {
 }
 
-/// How much of what is around reaches the place: less in the groove to the bead above, below, or beside. Open ends of grooves are not looked for.
-float BeadShader::open(const SeenBead& seen) const
+/// The groove that a place lies in: with the bead above or below it, or with the one beside, whichever is so near that it hides something of it.
+BeadShader::Groove BeadShader::groove(const SeenBead& seen) const
 {
     const BeadShape& shape = print_.scene.beads()[seen.bead];
-    const float level = std::sqrt(std::max(0.0f, 1 - seen.normal.z * seen.normal.z));
-    const vec3 from = seen.position + 0.02f * shape.height() * seen.normal;
-    const auto is_near = [&](const vec3& direction, float reach) { return print_.scene.occluded({from, direction, 0, reach}); };
-    const float bulge = std::min(1.0f, shape.width() / shape.height());
-    if (std::abs(seen.normal.z) > 0.02f && is_near(seen.normal.z > 0 ? up : -up, shape.height()))
-        return groove_light(bulge, vec2(level, 0));
-    if (level > 0.05f && is_near(glm::normalize(vec3(seen.normal.x, seen.normal.y, 0)), 0.6f * shape.height()))
-        return groove_light(bulge, vec2(std::abs(seen.normal.z), 0));
-    return 1;
+    const vec3 &n = seen.normal, from = seen.position + 0.02f * shape.height() * n;
+    // How far the middle of the bead that is near lies behind this one's, in the lengths of BeadFrame; both sides are round.
+    const auto near = [&](const vec3& out, const vec3& towards, float reach) -> Groove {
+        const BeadHit hit = print_.scene.closest({from, towards, 0, reach});
+        if (!hit)
+            return {};
+        const vec3 middle = from + hit.distance * towards - print_.scene.beads()[hit.bead].round() * hit.normal, own = seen.position - shape.round() * n;
+        return {true, out, towards, glm::clamp(glm::dot(own - middle, out) / shape.round(), -furthest_shift, furthest_shift)};
+    };
+    const vec3 rise = n.z < 0 ? -up : up, level = vec3(n.x, n.y, 0);
+    const float size = glm::length(level);
+    const vec3 out = size > 1e-3f ? level / size : shape.aside();
+    Groove found;
+    if (std::abs(n.z) > 0.02f)
+        found = near(out, rise, shape.height());
+    if (found.shift < 0 && size <= 1e-3f) // on a flat top the way out leads away from what is near
+        found = {true, -found.out, found.towards, -found.shift};
+    if (!found.narrow && size > 0.05f)
+        found = near(rise, out, 0.6f * shape.height());
+    return found;
 }
 
 vec3 BeadShader::own(const SeenBead& seen, float share) const
@@ -69,11 +84,19 @@ vec3 BeadShader::own(const SeenBead& seen, float share) const
     const PrintMove& of = move(seen);
     if (of.extrudes())
         finish.colour *= 1 + variety_ * (number_of(int(of.layer)) - 0.5f);
-    const Illumination lit = in_groove(light_.at(seen.position, share), of.extrudes() ? open(seen) : 1);
+    const Illumination lit = light_.at(seen.position, share);
     const BeadShape& shape = print_.scene.beads()[seen.bead];
+    const vec3 to_eye = camera_.to_eye(seen.position);
     const vec3 in_surface = shape.along() - glm::dot(shape.along(), seen.normal) * seen.normal; // around ends beads turn
     const float size = glm::length(in_surface);
-    return reflected(finish, seen.normal, size > 1e-3f ? in_surface / size : shape.aside(), camera_.to_eye(seen.position), 0, lit);
+    const vec3 along = size > 1e-3f ? in_surface / size : shape.aside();
+    const Groove in = of.extrudes() ? groove(seen) : Groove();
+    if (!in.narrow)
+        return reflected(finish, seen.normal, along, to_eye, 0, lit);
+    BeadFrame frame = bead_frame(edge_bulge(shape), in.shift, in.out, in.towards, lit);
+    frame.along = along;
+    const vec2 n = glm::normalize(vec2(glm::dot(seen.normal, in.out), glm::dot(seen.normal, in.towards)));
+    return groove_reflected(frame, finish, n, 0, n, n, to_eye, groove_ambient(frame, lit, n, n), lit);
 }
 
 /// The pixel's place on the plane that touches the outermost places of the beads, where layers are told apart.
@@ -119,7 +142,7 @@ vec3 BeadShader::filtered(const SeenBead& seen, const vec3& surface, const vec3&
     Finish finish = finish_;
     finish.colour = colour;
     const Illumination lit = light_.at(p.position, share);
-    const LayerPattern layers = {LAYERS_BEAD, up, 0, 0, std::min(1.0f, shape.width() / shape.height()), variety_, vec3(0), 1};
+    const LayerPattern layers = {LAYERS_BEAD, up, 0, 0, edge_bulge(shape), variety_, vec3(0), 1};
     const float at = float(move(seen).layer) + 0.5f + (p.position.z - shape.middle().z) / shape.height();
     const vec3 steps =
         layers_through(layers, finish, p, {at, shape.height(), change_per_pixel(p, up) / shape.height()}, kernel_, width_, lit);

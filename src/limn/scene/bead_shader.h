@@ -45,7 +45,12 @@ public:
     const PrintMove& move(const SeenBead& seen) const { return path_.moves[print_.moves[seen.bead]]; }
 
 private:
-    float open(const SeenBead& seen) const;
+    struct Groove {
+        bool narrow = false;                 ///< false: the place is in the open
+        vec3 out = vec3(0), towards = vec3(0); ///< out of it, and to the bead that is near, unit
+        float shift = 0; ///< how much further in that bead is
+    };
+    Groove groove(const SeenBead& seen) const;
     formulas::PatternPoint point(const SeenBead& seen, const vec3& surface, const BeadShape& shape) const;
     vec3 floor(const formulas::PatternPoint& seen, const BeadShape& shape, const formulas::Finish& finish,
                const formulas::Illumination& lit) const;
