@@ -11,8 +11,8 @@
 #include "bench_table.h"
 #include "bench_truth.h"
 #include "limn/base/error.h"
-#include "limn/base/parallel.h"
 #include "limn/base/file.h"
+#include "limn/base/parallel.h"
 #include "limn/drawing/png.h"
 #include "limn/pattern/filament.h"
 #include "pattern_figures.h"
@@ -27,8 +27,8 @@ namespace {
 using Method = PatternMethod;
 
 constexpr double zooms[] = {1.0 / 20, 1.0 / 10, 1.0 / 5, 1.0 / 2, 1, 2, 5, 10, 20}; // periods a pixel
-constexpr double first_moire = 0.5, last_moire = 20, moire_step = 1.1892071150027; // a quarter of an octave
-constexpr double below = 0.9; // of the pattern's frequency
+constexpr double first_moire = 0.5, last_moire = 20, moire_step = 1.1892071150027;  // a quarter of an octave
+constexpr double below = 0.9;                                                       // of the pattern's frequency
 
 struct Way {
     Method method;
@@ -37,8 +37,9 @@ struct Way {
 };
 
 constexpr Way ways[] = {
-    {Method::gauss, "filter", Method::gauss_reference},       {Method::box, "filter, square", Method::box_reference}, {Method::seed, "seed", Method::box_reference},
-    {Method::even, "50 even", Method::gauss_reference},       {Method::four, "4 samples", Method::pixel_reference},   {Method::derivative, "smoothstep", Method::pixel_reference},
+    {Method::gauss, "filter", Method::gauss_reference},   {Method::box, "filter, square", Method::box_reference},
+    {Method::seed, "seed", Method::box_reference},        {Method::even, "50 even", Method::gauss_reference},
+    {Method::four, "4 samples", Method::pixel_reference}, {Method::derivative, "smoothstep", Method::pixel_reference},
     {Method::centre, "centre", Method::pixel_reference},
 };
 constexpr std::size_t way_count = std::size(ways), seed_way = 2;
@@ -106,7 +107,8 @@ struct Moire {
     std::map<Method, double> from_half, from_one; ///< sums over the sweep
 };
 
-constexpr Method moire_methods[] = {Method::gauss, Method::box, Method::seed, Method::even, Method::four, Method::derivative, Method::centre};
+constexpr Method moire_methods[] = {Method::gauss, Method::box,        Method::seed,  Method::even,
+                                    Method::four,  Method::derivative, Method::centre};
 
 struct PatternBench {
     int edge = 64, moire_edge = 128, runs = 7;
@@ -179,14 +181,16 @@ void add_moire(const PatternBench& bench, Console& console, Tables& tables)
     for (double f = first_moire; f < last_moire * 1.001; f *= moire_step)
         sweep.push_back(f);
     for (const double f : sweep) {
-        console.progress(fmt::format("moiré, {:.2g} periods a pixel", f), 0.6 + 0.4 * std::log(f / first_moire) / std::log(last_moire / first_moire));
+        console.progress(fmt::format("moiré, {:.2g} periods a pixel", f),
+                         0.6 + 0.4 * std::log(f / first_moire) / std::log(last_moire / first_moire));
         const auto subjects = pattern_subjects(f, bench.moire_edge, true);
         all.resize(subjects.size());
         names.clear();
         for (std::size_t s = 0; s < subjects.size(); ++s) {
             names.push_back(subjects[s]->name());
             double energies[std::size(moire_methods)] = {};
-            parallel_each(std::size(moire_methods), 1, [&](std::size_t k) { energies[k] = moire(*subjects[s], moire_methods[k], bench.moire_edge, f); });
+            parallel_each(std::size(moire_methods), 1,
+                          [&](std::size_t k) { energies[k] = moire(*subjects[s], moire_methods[k], bench.moire_edge, f); });
             for (std::size_t k = 0; k < std::size(moire_methods); ++k) {
                 all[s].from_half[moire_methods[k]] += energies[k];
                 if (f > 0.999)
@@ -209,7 +213,8 @@ std::string text_of(const SlicerTable& sliced)
 {
     if (sliced.slicer.empty())
         return "Prints beside a slicer's: prusa-slicer is not installed, so nothing was compared.\n";
-    return fmt::format("Parts as {} lays them, in layers of {} mm and beads 0.45 mm wide: its beads as rays meet them, as above, and beside them the models of layers on the part, "
+    return fmt::format("Parts as {} lays them, in layers of {} mm and beads 0.45 mm wide: its beads as rays meet them, as above, and "
+                       "beside them the models of layers on the part, "
                        "and *G-code*: the same file drawn by `limn render`:\n\n{}\n",
                        sliced.slicer, sliced_layer, sliced.errors.text());
 }
@@ -217,30 +222,52 @@ std::string text_of(const SlicerTable& sliced)
 std::string text_of(const PatternBench& bench, const Tables& tables)
 {
     return fmt::format(
-        "## Patterns\n\n`limn bench pattern`, version {}, {}, one thread for times. Bricks with bevels and print layers on a leaning plane, thread on a sphere, without "
-        "its outline and poles; {} x {} pixels in perspective, from 20 pixels a period to 20 periods a pixel in the middle. *filter*: the analytic filter, a Gauss "
-        "kernel of 0.5 px; *square*: of 2 x 2 pixels; *seed*: the seed's 50 samples over 2 x 2 pixels (its generator from 1 on, inversion of the pipeline in its cheaper "
-        "form); *50 even*: the R2 sequence under the Gauss kernel; *4 samples*: one rotated grid a pixel; *smoothstep*: edges as wide as the derivative, normals at "
-        "the centre.\n\nAgainst the seed: times are CPU time of pattern and shading without finding the surface, over the sweep's median and at its least; errors as "
+        "## Patterns\n\n`limn bench pattern`, version {}, {}, one thread for times. Bricks with bevels and print layers on a leaning "
+        "plane, thread on a sphere, without "
+        "its outline and poles; {} x {} pixels in perspective, from 20 pixels a period to 20 periods a pixel in the middle. *filter*: the "
+        "analytic filter, a Gauss "
+        "kernel of 0.5 px; *square*: of 2 x 2 pixels; *seed*: the seed's 50 samples over 2 x 2 pixels (its generator from 1 on, inversion "
+        "of the pipeline in its cheaper "
+        "form); *50 even*: the R2 sequence under the Gauss kernel; *4 samples*: one rotated grid a pixel; *smoothstep*: edges as wide as "
+        "the derivative, normals at "
+        "the centre.\n\nAgainst the seed: times are CPU time of pattern and shading without finding the surface, over the sweep's median "
+        "and at its least; errors as "
         "the largest share of the seed's over the sweep:\n\n{}\n"
         "RMSE (encoded, 1 is white) against 1,024 stratified samples of each way's own kernel (of one pixel where it has none):\n\n{}\n"
         "Nanoseconds a pixel, medians of {} runs:\n\n{}\n"
-        "Moiré: energy at up to {} of the pattern's lowest frequency, of what is not the pattern's mean, on {} x {} pixels without perspective, summed from half a period or "
+        "Moiré: energy at up to {} of the pattern's lowest frequency, of what is not the pattern's mean, on {} x {} pixels without "
+        "perspective, summed from half a period or "
         "one period a pixel to {:.0f} in quarters of an octave; as a share of the seed's, and the seed's:\n\n{}\n"
-        "Milliseconds a frame, all threads: on the processor (rays, the filter, one sample a pixel), and on the device ({}) with the filter, with outlines of 4 samples, and "
+        "Milliseconds a frame, all threads: on the processor (rays, the filter, one sample a pixel), and on the device ({}) with the "
+        "filter, with outlines of 4 samples, and "
         "with the seed's 50 samples for every pixel; frames a second are those of the device's filter:\n\n{}\n"
-        "Prints beside the truth: the model's slices as real steps, flat or with the round edge of a single wall's beads, met by {} rays a pixel of the same kernel, under the same "
-        "light, its disc, sky and floor with what hides them; {} px wide, a studio's light, grey PETG. FLIP (Andersson et al. 2020; 0 is equal, {:.0f} px a degree) of each model, and "
+        "Prints beside the truth: the model's slices as real steps, flat or with the round edge of a single wall's beads, met by {} rays a "
+        "pixel of the same kernel, under the same "
+        "light, its disc, sky and floor with what hides them; {} px wide, a studio's light, grey PETG. FLIP (Andersson et al. 2020; 0 is "
+        "equal, {:.0f} px a degree) of each model, and "
         "the highlight's length over its width, if there is a highlight:\n\n{}\n{}",
-        LIMN_VERSION, machine_name(), bench.edge, bench.edge, tables.summary.text(), tables.errors.text(), bench.runs, tables.times.text(), below, bench.moire_edge, bench.moire_edge,
-        last_moire, tables.moire.text(), tables.frames.device, tables.frames.table.text(), truth_side * truth_side, truth_width, 67.0, tables.truth.errors.text(), text_of(tables.slicer));
+        LIMN_VERSION, machine_name(), bench.edge, bench.edge, tables.summary.text(), tables.errors.text(), bench.runs, tables.times.text(),
+        below, bench.moire_edge, bench.moire_edge, last_moire, tables.moire.text(), tables.frames.device, tables.frames.table.text(),
+        truth_side * truth_side, truth_width, 67.0, tables.truth.errors.text(), text_of(tables.slicer));
 }
 
 std::string json_of(const PatternBench& bench, const Tables& tables)
 {
-    const nlohmann::ordered_json json = {{"limn", LIMN_VERSION}, {"command", "bench"}, {"what", "pattern"}, {"machine", machine_name()}, {"edge", bench.edge}, {"runs", bench.runs},
-                                         {"summary", ::json_of(tables.summary)}, {"rmse", ::json_of(tables.errors)}, {"ns_a_pixel", ::json_of(tables.times)}, {"moire", ::json_of(tables.moire)},
-                                         {"device", tables.frames.device}, {"ms_a_frame", ::json_of(tables.frames.table)}, {"truth", ::json_of(tables.truth.errors)}, {"slicer", tables.slicer.slicer}, {"sliced", ::json_of(tables.slicer.errors)}};
+    const nlohmann::ordered_json json = {{"limn", LIMN_VERSION},
+                                         {"command", "bench"},
+                                         {"what", "pattern"},
+                                         {"machine", machine_name()},
+                                         {"edge", bench.edge},
+                                         {"runs", bench.runs},
+                                         {"summary", ::json_of(tables.summary)},
+                                         {"rmse", ::json_of(tables.errors)},
+                                         {"ns_a_pixel", ::json_of(tables.times)},
+                                         {"moire", ::json_of(tables.moire)},
+                                         {"device", tables.frames.device},
+                                         {"ms_a_frame", ::json_of(tables.frames.table)},
+                                         {"truth", ::json_of(tables.truth.errors)},
+                                         {"slicer", tables.slicer.slicer},
+                                         {"sliced", ::json_of(tables.slicer.errors)}};
     return json.dump(2) + "\n";
 }
 
@@ -256,9 +283,15 @@ BenchResult bench_pattern(const BenchRequest& request, Console& console)
     bench.runs = std::max(1, request.runs);
     if (!request.figures.empty())
         write_pattern_figures(request.figures, console);
-    Tables tables = {MarkdownTable(zoom_header({"pattern", "way"})), MarkdownTable(zoom_header({"pattern", "way"})),
-                     MarkdownTable({"pattern", "filter: times faster", "at least", "error/seed's, at most", "square: times faster", "at least", "error/seed's, at most"}),
-                     MarkdownTable({"pattern", "from", "filter", "square", "seed", "50 even", "4 samples", "smoothstep", "centre", "seed's energy"}), {}, {}, {}};
+    Tables tables = {
+        MarkdownTable(zoom_header({"pattern", "way"})),
+        MarkdownTable(zoom_header({"pattern", "way"})),
+        MarkdownTable({"pattern", "filter: times faster", "at least", "error/seed's, at most", "square: times faster", "at least",
+                       "error/seed's, at most"}),
+        MarkdownTable({"pattern", "from", "filter", "square", "seed", "50 even", "4 samples", "smoothstep", "centre", "seed's energy"}),
+        {},
+        {},
+        {}};
     add_sweep(bench, console, tables);
     add_moire(bench, console, tables);
     tables.frames = time_pattern_frames(std::max(1, request.runs / 2), console);

@@ -9,7 +9,8 @@
 
 /// Prints of models of layers beside prints that rays met as real steps.
 struct TruthTables {
-    MarkdownTable errors = MarkdownTable({"shape", "px a layer", "truth", "FLIP: seed", "FLIP: slope", "FLIP: beads", "highlight: truth", "highlight: seed", "highlight: slope", "highlight: beads"});
+    MarkdownTable errors = MarkdownTable({"shape", "px a layer", "truth", "FLIP: seed", "FLIP: slope", "FLIP: beads", "highlight: truth",
+                                          "highlight: seed", "highlight: slope", "highlight: beads"});
     limn::Image strip; ///< a row for each shape: flat steps (rays, seed, slope) and beads (rays, bead model)
 };
 

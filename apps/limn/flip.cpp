@@ -19,7 +19,10 @@ constexpr double colour_power = 0.7, colour_knee = 0.4, knee_value = 0.95, featu
 struct Planes {
     int width, height;
     std::vector<dvec3> values;
-    const dvec3& at(int x, int y) const { return values[std::size_t(std::clamp(y, 0, height - 1)) * std::size_t(width) + std::size_t(std::clamp(x, 0, width - 1))]; }
+    const dvec3& at(int x, int y) const
+    {
+        return values[std::size_t(std::clamp(y, 0, height - 1)) * std::size_t(width) + std::size_t(std::clamp(x, 0, width - 1))];
+    }
 };
 
 /// A picture with a value for each pixel of another.
@@ -36,7 +39,8 @@ template <class F> Planes each_pixel(int width, int height, F&& value)
 /// XYZ of the primaries of sRGB, by columns, and of its white.
 const dmat3& primaries()
 {
-    static const dmat3 m(dvec3(0.4123865632, 0.2126368150, 0.0193306197), dvec3(0.3575914909, 0.7151829818, 0.1191971609), dvec3(0.1804504912, 0.0721802033, 0.9503725806));
+    static const dmat3 m(dvec3(0.4123865632, 0.2126368150, 0.0193306197), dvec3(0.3575914909, 0.7151829818, 0.1191971609),
+                         dvec3(0.1804504912, 0.0721802033, 0.9503725806));
     return m;
 }
 
@@ -87,7 +91,8 @@ Filter contrast_filter(double pixels_per_degree)
             const double d2 = double(x * x + y * y) / (pixels_per_degree * pixels_per_degree);
             dvec3 w;
             for (int c = 0; c < 3; ++c)
-                w[c] = terms[c].a1 * std::sqrt(pi / terms[c].b1) * std::exp(-pi * pi * d2 / terms[c].b1) + terms[c].a2 * std::sqrt(pi / terms[c].b2) * std::exp(-pi * pi * d2 / terms[c].b2);
+                w[c] = terms[c].a1 * std::sqrt(pi / terms[c].b1) * std::exp(-pi * pi * d2 / terms[c].b1) +
+                       terms[c].a2 * std::sqrt(pi / terms[c].b2) * std::exp(-pi * pi * d2 / terms[c].b2);
             sum += w;
             filter.weights.push_back(w);
         }
@@ -186,7 +191,8 @@ double flip(const Image& a, const Image& b, double pixels_per_degree)
         const auto colour = [&](const Planes& p) { return lab(glm::clamp(linear_from_opponent(p.at(x, y)), 0.0, 1.0)); };
         const double colours = spread_out(std::pow(hyab(colour(seen), colour(other)), colour_power), most);
         const Features f = features_at(first, features, x, y), g = features_at(second, features, x, y);
-        const double feature = std::pow(std::max(std::abs(f.edges - g.edges), std::abs(f.points - g.points)) / std::sqrt(2.0), feature_power);
+        const double feature =
+            std::pow(std::max(std::abs(f.edges - g.edges), std::abs(f.points - g.points)) / std::sqrt(2.0), feature_power);
         return dvec3(std::pow(colours, 1 - std::min(feature, 1.0)), 0, 0);
     });
     double sum = 0;

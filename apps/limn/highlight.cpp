@@ -23,7 +23,9 @@ std::vector<double> smoothed(const Image& picture, const std::vector<std::uint8_
             const std::size_t i = std::size_t(y * w + x);
             const float* s = picture.at(x, y);
             if (mask[i])
-                values[i] = {0.2126 * double(linear_from_srgb(s[0])) + 0.7152 * double(linear_from_srgb(s[1])) + 0.0722 * double(linear_from_srgb(s[2])), 1};
+                values[i] = {0.2126 * double(linear_from_srgb(s[0])) + 0.7152 * double(linear_from_srgb(s[1])) +
+                                 0.0722 * double(linear_from_srgb(s[2])),
+                             1};
         }
     std::vector<double> result(mask.size(), 0);
     for (int y = 0; y < h; ++y)

@@ -20,4 +20,5 @@ struct Highlight {
 /// @param mask    pixels that show the object: 1 for each
 /// @param smooth  standard deviation of a Gauss filter, pixels
 /// @param share   in (0,1)
-std::optional<Highlight> highlight_of(const limn::Image& picture, const std::vector<std::uint8_t>& mask, double smooth, double share = 0.75);
+std::optional<Highlight> highlight_of(const limn::Image& picture, const std::vector<std::uint8_t>& mask, double smooth,
+                                      double share = 0.75);

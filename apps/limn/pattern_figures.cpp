@@ -43,7 +43,10 @@ Scene scene_of(const std::string& shape, std::size_t triangles, const dmat4& tur
 struct Stage {
     Scene scene;
     SceneModel model;
-    Stage(const std::string& shape, std::size_t triangles, const dmat4& turn) : scene(scene_of(shape, triangles, turn)), model(prepare_scene(scene)) {}
+    Stage(const std::string& shape, std::size_t triangles, const dmat4& turn)
+        : scene(scene_of(shape, triangles, turn)), model(prepare_scene(scene))
+    {
+    }
 };
 
 /// What one panel shows.
@@ -143,7 +146,8 @@ Image bumped_wall(float delta, bool hard)
             for (const vec2& s : samples) {
                 const vec3 p = {(float(x) + 0.5f + s.x) / edge, 1 - (float(y) + 0.5f + s.y) / edge, 0}, at = brick_place(b, p);
                 const float u = at.x, v = at.y, hu = height(m.x, u), hv = height(m.y, v);
-                const float du = (height(m.x, u + delta) - height(m.x, u - delta)) / (2 * delta) * hv, dv = (height(m.y, v + delta) - height(m.y, v - delta)) / (2 * delta) * hu;
+                const float du = (height(m.x, u + delta) - height(m.x, u - delta)) / (2 * delta) * hv,
+                            dv = (height(m.y, v + delta) - height(m.y, v - delta)) / (2 * delta) * hu;
                 const vec3 colour = brick_mask(b, p) > 0.5f ? b.brick : b.mortar;
                 sum += colour * (0.25f + 0.9f * facing(bumped({0, 0, 1}, vec3(du, dv, 0)), light));
             }
@@ -224,7 +228,9 @@ Image photographed(const Panel& panel, double height)
     ShadeOptions shade;
     shade.to_light = light_of_study;
     const PatternLight light = pattern_lights(seen, camera, shade, {1, {}, dvec3(0, 0, 1)}).front();
-    return trace_print(body_of(stepped_print(*stage.scene.objects.front().mesh, {height, 1})), camera, {finish_of(find_filament("pla-grey")), light, vec3(1), 0.5f, 8}).picture;
+    return trace_print(body_of(stepped_print(*stage.scene.objects.front().mesh, {height, 1})), camera,
+                       {finish_of(find_filament("pla-grey")), light, vec3(1), 0.5f, 8})
+        .picture;
 }
 
 dmat4 tilted(double degrees) { return glm::rotate(dmat4(1), glm::radians(degrees), dvec3(0.3, 1, 0)); }
@@ -236,32 +242,69 @@ struct Figure {
 
 std::vector<Figure> brick_and_thread_figures()
 {
-    const auto samples = [](PatternOptions o, int count, int box = 2) { return with(o, [&](PatternOptions& p) { p.pattern_samples = count, p.filter_box = box; }); };
+    const auto samples = [](PatternOptions o, int count, int box = 2) {
+        return with(o, [&](PatternOptions& p) { p.pattern_samples = count, p.filter_box = box; });
+    };
     return {
-        {"5.01", [=] { return row({{"cube", bricks(PatternFilter::off)}, {"sphere", thread(PatternFilter::off)}, {"blob", layers(0.02)}}); }},
-        {"5.02", [=] { return row({{"cube", samples(bricks(), 10)}, {"cube", samples(bricks(), 32)}, {"cube", samples(bricks(), 50)}}); }},
-        {"5.03", [=] { return row({{"sphere", samples(thread(), 50, 1)}, {"sphere", samples(thread(), 50, 2)}, {"blob", samples(layers(0.02), 50, 1)}, {"blob", samples(layers(0.02), 50, 2)}}); }},
-        {"5.04", [] {
+        {"5.01",
+         [=] {
+             return row({{"cube", bricks(PatternFilter::off)}, {"sphere", thread(PatternFilter::off)}, {"blob", layers(0.02)}});
+         }},
+        {"5.02",
+         [=] {
+             return row({{"cube", samples(bricks(), 10)}, {"cube", samples(bricks(), 32)}, {"cube", samples(bricks(), 50)}});
+         }},
+        {"5.03",
+         [=] {
+             return row({{"sphere", samples(thread(), 50, 1)},
+                         {"sphere", samples(thread(), 50, 2)},
+                         {"blob", samples(layers(0.02), 50, 1)},
+                         {"blob", samples(layers(0.02), 50, 2)}});
+         }},
+        {"5.04",
+         [] {
              const PatternOptions flat = with(bricks(), [](PatternOptions& o) { o.brick_relief = 0; });
              return row({{"plane", with(flat, [](PatternOptions& o) { o.brick_solid = false; }), "0,89"}, {"cube", flat, "35,25"}});
          }},
-        {"5.05", [] { return in_rows({{bumped_wall(1 / 50.0f, false), bumped_wall(1 / 500.0f, false), bumped_wall(1 / 5000.0f, false)}}, 6); }},
-        {"5.06", [] { return in_rows({{bumped_wall(1 / 500.0f, false), bumped_wall(1 / 500.0f, true)}}, 6); }},
-        {"5.07", [] { return row({{"cube", bricks(), "35,25"}, {"cube", bricks(), "-30,20"}}); }},
-        {"5.08", [] {
+        {"5.05",
+         [] {
+             return in_rows({{bumped_wall(1 / 50.0f, false), bumped_wall(1 / 500.0f, false), bumped_wall(1 / 5000.0f, false)}}, 6);
+         }},
+        {"5.06",
+         [] {
+             return in_rows({{bumped_wall(1 / 500.0f, false), bumped_wall(1 / 500.0f, true)}}, 6);
+         }},
+        {"5.07",
+         [] {
+             return row({{"cube", bricks(), "35,25"}, {"cube", bricks(), "-30,20"}});
+         }},
+        {"5.08",
+         [] {
              Panel correct = {"sphere", thread(PatternFilter::seed, 8)};
              correct.background = vec3(0.9f, 0.85f, 0.6f);
              return in_rows({{thread_sphere(1, 0.04f, hair(0)), paint(correct)}}, 6);
          }},
-        {"5.09", [] { return in_rows({{thread_sphere(1, 0.02f, hair(0)), thread_sphere(1, 0.02f, plastic_net)}}, 6); }},
-        {"5.10", [] {
+        {"5.09",
+         [] {
+             return in_rows({{thread_sphere(1, 0.02f, hair(0)), thread_sphere(1, 0.02f, plastic_net)}}, 6);
+         }},
+        {"5.10",
+         [] {
              std::vector<Panel> panels;
              for (const double p : {5.0, 20.0, 80.0})
                  panels.push_back({"sphere", with(thread(PatternFilter::gauss), [&](PatternOptions& o) { o.thread_exponent = p; })});
              return row(panels);
          }},
-        {"5.11", [] { return in_rows({{thread_sphere(8, 0.02f, hair(0)), thread_sphere(8, 0.02f, tangent_colours)}}, 6); }},
-        {"5.12", [] { return in_rows({{thread_sphere(1, 0.02f, hair(1)), thread_sphere(1, 0.02f, hair(2)), thread_sphere(1, 0.02f, hair(3)), thread_sphere(1, 0.02f, hair(0))}}, 6); }},
+        {"5.11",
+         [] {
+             return in_rows({{thread_sphere(8, 0.02f, hair(0)), thread_sphere(8, 0.02f, tangent_colours)}}, 6);
+         }},
+        {"5.12",
+         [] {
+             return in_rows({{thread_sphere(1, 0.02f, hair(1)), thread_sphere(1, 0.02f, hair(2)), thread_sphere(1, 0.02f, hair(3)),
+                              thread_sphere(1, 0.02f, hair(0))}},
+                            6);
+         }},
     };
 }
 
@@ -270,7 +313,9 @@ std::vector<Figure> layer_figures()
     constexpr LayerModel seed = LayerModel::seed, soft = LayerModel::soft;
     constexpr PatternReflection phong = PatternReflection::phong, blinn = PatternReflection::blinn_phong;
     // The study's bunny is of few, flat faces.
-    const auto bunny = [](const PatternOptions& o, const std::string& view = "20,35", const dmat4& turn = dmat4(1)) { return Panel{"blob", o, view, true, false, turn, vec3(1), 400}; };
+    const auto bunny = [](const PatternOptions& o, const std::string& view = "20,35", const dmat4& turn = dmat4(1)) {
+        return Panel{"blob", o, view, true, false, turn, vec3(1), 400};
+    };
     const auto angel = [](const PatternOptions& o) { return with_size({"rings", o, "20,25"}, {edge, edge * 2 / 3}); };
     const auto series = [=](std::initializer_list<double> values, auto&& change) {
         std::vector<Panel> panels;
@@ -283,36 +328,80 @@ std::vector<Figure> layer_figures()
         return o;
     };
     return {
-        {"5.13", [=] {
+        {"5.13",
+         [=] {
              Panel lamp = bunny(layers(0.02));
              lamp.point_light = true;
              return in_rows({{photographed(bunny(layers(0.02)), 0.02), paint(bunny(layers(0.02))), paint(lamp)}}, 6);
          }},
-        {"5.14", [=] { return series({0.008, 0.02, 0.064}, [](PatternOptions& o, double v) { o.layer_height = v; }); }},
-        {"5.15", [=] { return series({10, 100, 1000}, [](PatternOptions& o, double v) { o.exponent = v; }); }},
-        {"5.16", [=] { return series({0.02, 0.05, 0.1, 0.3}, [](PatternOptions& o, double v) { o.specular = v; }); }},
+        {"5.14",
+         [=] {
+             return series({0.008, 0.02, 0.064}, [](PatternOptions& o, double v) { o.layer_height = v; });
+         }},
+        {"5.15",
+         [=] {
+             return series({10, 100, 1000}, [](PatternOptions& o, double v) { o.exponent = v; });
+         }},
+        {"5.16",
+         [=] {
+             return series({0.02, 0.05, 0.1, 0.3}, [](PatternOptions& o, double v) { o.specular = v; });
+         }},
         {"5.17", [=] { return row({bunny(layers(0.02))}); }},
-        {"5.18", [=] { return row({bunny(layers(0.02, seed, blinn), "-20,35"), bunny(layers(0.02, seed, blinn), "20,35"), bunny(layers(0.02, seed, blinn), "60,35")}); }},
-        {"5.19", [=] { return row({bunny(layers(0.008)), bunny(layers(0.004)), bunny(with(layers(0.004), [](PatternOptions& o) { o.filter = PatternFilter::gauss; }))}); }},
-        {"5.20", [=] { return row({bunny(layers(0.032, soft, blinn)), bunny(layers(0.048, soft, blinn))}); }},
-        {"5.21", [=] { return in_rows({{photographed({"sphere"}, 0.048), paint({"sphere", layers(0.048, soft, phong)}), paint({"sphere", layers(0.048, soft, blinn)})}}, 6); }},
-        {"5.22", [=] { return row({{"sphere", layers(0.02), "20,40"}, {"sphere", layers(0.064), "20,40"}, {"sphere", layers(0.064, LayerModel::slope), "20,40"}}); }},
-        {"5.23", [=] {
+        {"5.18",
+         [=] {
+             return row({bunny(layers(0.02, seed, blinn), "-20,35"), bunny(layers(0.02, seed, blinn), "20,35"),
+                         bunny(layers(0.02, seed, blinn), "60,35")});
+         }},
+        {"5.19",
+         [=] {
+             return row({bunny(layers(0.008)), bunny(layers(0.004)),
+                         bunny(with(layers(0.004), [](PatternOptions& o) { o.filter = PatternFilter::gauss; }))});
+         }},
+        {"5.20",
+         [=] {
+             return row({bunny(layers(0.032, soft, blinn)), bunny(layers(0.048, soft, blinn))});
+         }},
+        {"5.21",
+         [=] {
+             return in_rows({{photographed({"sphere"}, 0.048), paint({"sphere", layers(0.048, soft, phong)}),
+                              paint({"sphere", layers(0.048, soft, blinn)})}},
+                            6);
+         }},
+        {"5.22",
+         [=] {
+             return row({{"sphere", layers(0.02), "20,40"},
+                         {"sphere", layers(0.064), "20,40"},
+                         {"sphere", layers(0.064, LayerModel::slope), "20,40"}});
+         }},
+        {"5.23",
+         [=] {
              const auto toad = [](const PatternOptions& o) { return with_size({"knot", o, "20,25"}, {edge, edge * 3 / 4}); };
              return in_rows({{photographed(toad({}), 0.06), paint(toad(layers(0.06))), paint(toad(layers(0.06, seed, blinn)))}}, 6);
          }},
-        {"5.24", [=] { return row({angel(layers(0.04)), angel(layers(0.04, seed, blinn))}); }},
-        {"5.25", [=] {
+        {"5.24",
+         [=] {
+             return row({angel(layers(0.04)), angel(layers(0.04, seed, blinn))});
+         }},
+        {"5.25",
+         [=] {
              // Layers so soft that none is left.
              const auto none = [](PatternOptions& o) { o.layer_model = LayerModel::soft, o.soft_low = 900, o.soft_high = 1000; };
              return row({angel(with(layers(0.04), none))});
          }},
-        {"5.26", [=] { return row({bunny(layers(0.064), "20,0"), bunny(layers(0.064), "20,25"), bunny(layers(0.064), "20,55")}); }},
-        {"5.27", [=] {
-             const PatternOptions slanted = with(layers(0.064), [](PatternOptions& o) { o.with_object = true; });
-             return row({bunny(layers(0.064), "20,35", tilted(35)), bunny(slanted, "20,35", tilted(35)), bunny(layers(0.02), "20,35", tilted(35))});
+        {"5.26",
+         [=] {
+             return row({bunny(layers(0.064), "20,0"), bunny(layers(0.064), "20,25"), bunny(layers(0.064), "20,55")});
          }},
-        {"5.28", [=] { return row({bunny(layers(0.048, soft, blinn), "20,35", tilted(35)), bunny(axis_x(layers(0.048, soft, blinn)))}); }},
+        {"5.27",
+         [=] {
+             const PatternOptions slanted = with(layers(0.064), [](PatternOptions& o) { o.with_object = true; });
+             return row({bunny(layers(0.064), "20,35", tilted(35)), bunny(slanted, "20,35", tilted(35)),
+                         bunny(layers(0.02), "20,35", tilted(35))});
+         }},
+        {"5.28",
+         [=] {
+             return row({bunny(layers(0.048, soft, blinn), "20,35", tilted(35)), bunny(axis_x(layers(0.048, soft, blinn)))});
+         }},
     };
 }
 

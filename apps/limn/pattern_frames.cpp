@@ -86,16 +86,19 @@ FrameTimes time_pattern_frames(int runs, Console& console)
         if (context)
             renderer.emplace(model.lines);
         for (const ivec2& size : sizes) {
-            console.progress(fmt::format("frames of {}, {} triangles", subject.name, subject.triangles), double(done++) / double(std::size(cases) * std::size(sizes)));
-            Frame frame = {seen_scene(model.lines, model.rays), Camera::framing(model.bounds, {.view = "35,22", .up_axis = 'z', .size = size}), {}};
+            console.progress(fmt::format("frames of {}, {} triangles", subject.name, subject.triangles),
+                             double(done++) / double(std::size(cases) * std::size(sizes)));
+            Frame frame = {
+                seen_scene(model.lines, model.rays), Camera::framing(model.bounds, {.view = "35,22", .up_axis = 'z', .size = size}), {}};
             frame.options.kind = subject.kind;
             frame.options.layer_height = 0.6;
-            std::vector<std::string> row = {subject.name, fmt::format("{}, {}", subject.shape, model.lines.faces.size()), fmt::format("{} x {}", size.x, size.y),
-                                            fmt::format("{:.1f}", frame.on_processor(runs))};
+            std::vector<std::string> row = {subject.name, fmt::format("{}, {}", subject.shape, model.lines.faces.size()),
+                                            fmt::format("{} x {}", size.x, size.y), fmt::format("{:.1f}", frame.on_processor(runs))};
             if (renderer) {
                 const double filter = frame.on_device(*renderer, runs, 1, 0);
-                row.insert(row.end(), {fmt::format("{:.1f}", filter), fmt::format("{:.1f}", frame.on_device(*renderer, runs, 4, 0)),
-                                       fmt::format("{:.0f}", frame.on_device(*renderer, runs, 1, 50)), fmt::format("{:.0f}", 1000 / filter)});
+                row.insert(row.end(),
+                           {fmt::format("{:.1f}", filter), fmt::format("{:.1f}", frame.on_device(*renderer, runs, 4, 0)),
+                            fmt::format("{:.0f}", frame.on_device(*renderer, runs, 1, 50)), fmt::format("{:.0f}", 1000 / filter)});
             } else {
                 row.insert(row.end(), 4, "-");
             }

@@ -7,7 +7,8 @@
 
 /// Milliseconds for a frame of each pattern: on the processor, and on a device as a window draws it.
 struct FrameTimes {
-    MarkdownTable table = MarkdownTable({"pattern", "shape, triangles", "picture", "processor", "device", "outlines of 4 samples", "50 samples", "frames a second"});
+    MarkdownTable table = MarkdownTable(
+        {"pattern", "shape, triangles", "picture", "processor", "device", "outlines of 4 samples", "50 samples", "frames a second"});
     std::string device; ///< its name; "none" where there is none
 };
 

@@ -14,7 +14,10 @@ namespace {
 
 constexpr float gauss_width = 0.5f, box_width = 2;
 
-PatternLight usual_light() { return {{glm::normalize(vec3(-0.4f, 0.8f, 0.7f)), vec3(2), 0.1f, {0, 1, 0}, vec3(0.3f), vec3(0.1f)}, {}, {}, {}}; }
+PatternLight usual_light()
+{
+    return {{glm::normalize(vec3(-0.4f, 0.8f, 0.7f)), vec3(2), 0.1f, {0, 1, 0}, vec3(0.3f), vec3(0.1f)}, {}, {}, {}};
+}
 
 std::vector<vec2> samples_of(PatternMethod method)
 {
@@ -44,7 +47,8 @@ vec4 by_derivatives(const BrickShader& s, const PatternPoint& p)
     const vec3 m = mortar_part(s.pattern), at = brick_place(s.pattern, p.position);
     const vec2 x = change_per_pixel(p, {1 / s.pattern.cell.x, 0, 0}), y = change_per_pixel(p, {0, 1 / s.pattern.cell.y, 0});
     Finish own = s.finish;
-    own.colour = glm::mix(s.pattern.mortar, s.pattern.brick, derivative_pulse(at.x, m.x, 1 - 2 * m.x, x) * derivative_pulse(at.y, m.y, 1 - 2 * m.y, y));
+    own.colour = glm::mix(s.pattern.mortar, s.pattern.brick,
+                          derivative_pulse(at.x, m.x, 1 - 2 * m.x, x) * derivative_pulse(at.y, m.y, 1 - 2 * m.y, y));
     const vec3 n = bumped(p.normal, brick_gradient(s.pattern, p.position));
     return vec4(reflected(own, n, glm::normalize(glm::cross(vec3(0, 1, 0), n)), p.to_eye, 0, s.light.at(p.position)), 1);
 }
@@ -53,10 +57,13 @@ vec4 by_derivatives(const ThreadShader& s, const PatternPoint& p)
 {
     const vec3 n = glm::normalize(p.position - s.centre);
     const float cell = s.pattern.hole + s.pattern.thread, m = thread_part(s.pattern);
-    const vec2 at = sphere_place(n) / cell, right = sphere_change(n, p.right / s.radius) / cell, down = sphere_change(n, p.down / s.radius) / cell;
-    const float upright = derivative_pulse(at.x, -m, 2 * m, {right.x, down.x}), level = derivative_pulse(at.y, -m, 2 * m, {right.y, down.y});
+    const vec2 at = sphere_place(n) / cell, right = sphere_change(n, p.right / s.radius) / cell,
+               down = sphere_change(n, p.down / s.radius) / cell;
+    const float upright = derivative_pulse(at.x, -m, 2 * m, {right.x, down.x}),
+                level = derivative_pulse(at.y, -m, 2 * m, {right.y, down.y});
     const Illumination lit = s.light.at(p.position);
-    const vec3 colour = level * thread_lit(s.pattern, level_tangent(n), n, p.to_eye, lit) + (1 - level) * upright * thread_lit(s.pattern, upright_tangent(n), n, p.to_eye, lit);
+    const vec3 colour = level * thread_lit(s.pattern, level_tangent(n), n, p.to_eye, lit) +
+                        (1 - level) * upright * thread_lit(s.pattern, upright_tangent(n), n, p.to_eye, lit);
     return vec4(colour, level + (1 - level) * upright);
 }
 
@@ -198,7 +205,8 @@ std::vector<std::unique_ptr<PatternSubject>> pattern_subjects(double periods_per
     const std::vector<Spot> plane = plane_spots(camera, edge);
     const float wanted = float(periods_per_pixel);
     std::vector<std::unique_ptr<PatternSubject>> subjects;
-    const auto add = [&]<class Shader>(std::string name, const Shader& shader, const PatternCamera& seen_by, const std::vector<Spot>& spots) {
+    const auto add = [&]<class Shader>(std::string name, const Shader& shader, const PatternCamera& seen_by,
+                                       const std::vector<Spot>& spots) {
         subjects.push_back(std::make_unique<Subject<Shader>>(std::move(name), shader, seen_by, spots));
     };
 
@@ -206,7 +214,11 @@ std::vector<std::unique_ptr<PatternSubject>> pattern_subjects(double periods_per
     const vec3 cell = vec3(0.52f, 0.18f, 0.21f);
     const float unit = change_in_middle(camera, plane, {1 / cell.x, 0.5f / cell.y, 0}) / wanted;
     const vec3 height = vec3(0.006f) / cell;
-    add("bricks", BrickShader{{cell * unit, 0.02f * unit, 2, height, linear_colour(vec3(0.66f, 0.32f, 0.22f)), linear_colour(vec3(0.75f, 0.73f, 0.7f)), 0, 0}, {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}, usual_light()},
+    add("bricks",
+        BrickShader{
+            {cell * unit, 0.02f * unit, 2, height, linear_colour(vec3(0.66f, 0.32f, 0.22f)), linear_colour(vec3(0.75f, 0.73f, 0.7f)), 0, 0},
+            {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0},
+            usual_light()},
         camera, plane);
 
     Camera on_sphere = picture(edge, flat);
@@ -217,13 +229,16 @@ std::vector<std::unique_ptr<PatternSubject>> pattern_subjects(double periods_per
     const std::vector<Spot> sphere = sphere_spots(near, edge);
     const float around = change_in_middle(near, sphere, {1 / 6.2831853f, 0, 0}) / wanted;
     const float whole = 1 / std::round(1 / std::min(around, 0.2f)); // of the way around: whole cells
-    add("thread", ThreadShader{{0.6f * whole, 0.4f * whole, vec3(0.05f, 0.12f, 0.35f), 0.3f, 20, -1, 1, 0}, usual_light(), vec3(0), 1}, near, sphere);
+    add("thread", ThreadShader{{0.6f * whole, 0.4f * whole, vec3(0.05f, 0.12f, 0.35f), 0.3f, 20, -1, 1, 0}, usual_light(), vec3(0), 1},
+        near, sphere);
 
     const vec3 up = glm::normalize(vec3(0.12f, 1, 0));
     const LayerStack stack(double(change_in_middle(camera, plane, up) / wanted), -20);
     const Finish shiny = {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 1, 1, 0};
     add("layers, seed", LayerShader{{LAYERS_SEED, up, 0, 0.2f, 0.5f, 0, vec3(1, 0, 0), 1}, shiny, usual_light(), stack}, camera, plane);
     add("layers, slope", LayerShader{{LAYERS_SLOPE, up, 0, 0.2f, 0.5f, 0, vec3(1, 0, 0), 1}, shiny, usual_light(), stack}, camera, plane);
-    add("layers, beads", LayerShader{{LAYERS_BEAD, up, 0, 0.2f, 0.5f, 0, vec3(1, 0, 0), 1}, finish_of(find_filament("pla-grey")), usual_light(), stack}, camera, plane);
+    add("layers, beads",
+        LayerShader{{LAYERS_BEAD, up, 0, 0.2f, 0.5f, 0, vec3(1, 0, 0), 1}, finish_of(find_filament("pla-grey")), usual_light(), stack},
+        camera, plane);
     return subjects;
 }

@@ -8,13 +8,16 @@
 
 /// Ways to draw a pattern.
 enum class PatternMethod {
-    centre,          ///< one sample, at the pixel's centre
-    four,            ///< four samples, rotated, as multisampling places them
-    seed,            ///< the seed's 50 samples over 2 x 2 pixels
-    even,            ///< 50 samples of the Gauss kernel, spread evenly
-    derivative,      ///< edges as smoothsteps of the derivative's width; normals at the centre
-    gauss, box,      ///< the analytic filter: standard deviation 0.5 px; a square of 2 x 2 pixels
-    gauss_reference, box_reference, pixel_reference, ///< 1,024 stratified samples of the kernels above, and of one pixel
+    centre,     ///< one sample, at the pixel's centre
+    four,       ///< four samples, rotated, as multisampling places them
+    seed,       ///< the seed's 50 samples over 2 x 2 pixels
+    even,       ///< 50 samples of the Gauss kernel, spread evenly
+    derivative, ///< edges as smoothsteps of the derivative's width; normals at the centre
+    gauss,
+    box, ///< the analytic filter: standard deviation 0.5 px; a square of 2 x 2 pixels
+    gauss_reference,
+    box_reference,
+    pixel_reference, ///< 1,024 stratified samples of the kernels above, and of one pixel
 };
 
 /// A pattern on a surface that fills a square picture.

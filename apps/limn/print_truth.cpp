@@ -53,7 +53,8 @@ struct Tracer {
         lamp.to_light = glm::normalize(all.to_light + on_light.x * u + on_light.y * v);
         vec3 sum = is_free(from, lamp.to_light) ? reflected(options.finish, n, hit.along, to_eye, 0, lamp) : vec3(0);
         const Finish& f = options.finish;
-        const float share = f.model == FINISH_GGX ? ggx_ambient(f.f0, std::sqrt(f.along * f.across), glm::clamp(glm::dot(n, to_eye), 0.0f, 1.0f)) : 0;
+        const float share =
+            f.model == FINISH_GGX ? ggx_ambient(f.f0, std::sqrt(f.along * f.across), glm::clamp(glm::dot(n, to_eye), 0.0f, 1.0f)) : 0;
         const auto [x, y] = beside(n);
         const vec2 disc = in_disc(random); // as often as the cosine is high
         const vec3 around = disc.x * x + disc.y * y + std::sqrt(std::max(0.0f, 1 - glm::dot(disc, disc))) * n;
@@ -104,8 +105,8 @@ PrintBody body_of(SteppedPrint steps)
     for (std::size_t i = 0; i + 1 < steps.positions.size(); ++i)
         bounds.add(dvec3(steps.positions[i]));
     const auto traced = std::make_shared<const TracedSteps>(std::move(steps));
-    return {[traced](const Camera::Ray& ray, const vec3& up) { return traced->first(ray, up); }, [traced](const Ray& ray) { return traced->rays.occluded(ray); },
-            float(1e-5 * bounds.radius())};
+    return {[traced](const Camera::Ray& ray, const vec3& up) { return traced->first(ray, up); },
+            [traced](const Ray& ray) { return traced->rays.occluded(ray); }, float(1e-5 * bounds.radius())};
 }
 
 PrintBody body_of(const SeenPrint& print)
@@ -119,7 +120,8 @@ PrintBody body_of(const SeenPrint& print)
             return std::nullopt;
         const vec3 along = print.scene.beads()[hit.bead].along(), in_surface = along - glm::dot(along, hit.normal) * hit.normal;
         const float size = glm::length(in_surface);
-        return PrintHit{from + hit.distance * direction, hit.normal, hit.normal, size > 1e-3f ? in_surface / size : level_along(up, hit.normal)};
+        return PrintHit{from + hit.distance * direction, hit.normal, hit.normal,
+                        size > 1e-3f ? in_surface / size : level_along(up, hit.normal)};
     };
     return {first, [&print](const Ray& ray) { return print.scene.occluded(ray); }, 2e-4f};
 }

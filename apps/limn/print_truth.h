@@ -22,9 +22,10 @@ struct PrintHit {
 
 /// A print as rays find it.
 struct PrintBody {
-    std::function<std::optional<PrintHit>(const limn::Camera::Ray& ray, const limn::vec3& up)> first; ///< a ray of the world, and the print direction
-    std::function<bool(const limn::Ray& ray)> hides;                                                  ///< a ray of the body's frame
-    float off; ///< of the surface, where rays to light begin
+    std::function<std::optional<PrintHit>(const limn::Camera::Ray& ray, const limn::vec3& up)>
+        first;                                       ///< a ray of the world, and the print direction
+    std::function<bool(const limn::Ray& ray)> hides; ///< a ray of the body's frame
+    float off;                                       ///< of the surface, where rays to light begin
 };
 
 /// Steps as triangles, whose frame is the world.
@@ -35,10 +36,10 @@ PrintBody body_of(const limn::SeenPrint& print);
 /// How the truth is found.
 struct TruthOptions {
     limn::formulas::Finish finish;
-    limn::PatternLight light;           ///< far away
+    limn::PatternLight light;              ///< far away
     limn::vec3 background = limn::vec3(1); ///< linear
-    float kernel_width = 0.5f;          ///< of a pixel's Gauss kernel
-    int side = 12;                      ///< so many samples a pixel, squared
+    float kernel_width = 0.5f;             ///< of a pixel's Gauss kernel
+    int side = 12;                         ///< so many samples a pixel, squared
 };
 
 /// A picture and which of its pixels are filled by what it shows: 1 for each.

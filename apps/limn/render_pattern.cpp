@@ -14,7 +14,8 @@ using namespace limn;
 void add_pattern_options(CLI::App& app, PatternCommand& command)
 {
     add_table_options(app, pattern_option_table(), command.options, "Material");
-    app.add_option("--layer-heights", command.heights, "heights of a print's layers, mm: one a line from the lowest, or Z and the height from there on")
+    app.add_option("--layer-heights", command.heights,
+                   "heights of a print's layers, mm: one a line from the lowest, or Z and the height from there on")
         ->type_name("FILE")
         ->group("Material");
 }
@@ -56,7 +57,8 @@ void explain_pattern(PatternCommand& command, const PatternPlace& place, const S
     if (command.options.kind != PatternKind::layers)
         return;
     const PatternOptions& options = command.options;
-    command.note = options.layer_heights.empty() ? fmt::format("layers of {} mm", options.layer_height) : fmt::format("{} layers from the table", options.layer_heights.size());
+    command.note = options.layer_heights.empty() ? fmt::format("layers of {} mm", options.layer_height)
+                                                 : fmt::format("{} layers from the table", options.layer_heights.size());
     if (place.mm_per_unit == 0)
         command.note += ", the longest side taken as 100 mm (--units tells otherwise)";
     else
@@ -72,6 +74,10 @@ nlohmann::ordered_json report_of(const PatternCommand& command)
 {
     nlohmann::ordered_json report = nlohmann::ordered_json::object();
     if (command.cusps)
-        report["cusps"] = {{"unit", "mm"}, {"most", command.cusps->most}, {"mean", command.cusps->mean}, {"median", command.cusps->middle}, {"shares", command.cusps->shares}};
+        report["cusps"] = {{"unit", "mm"},
+                           {"most", command.cusps->most},
+                           {"mean", command.cusps->mean},
+                           {"median", command.cusps->middle},
+                           {"shares", command.cusps->shares}};
     return report;
 }

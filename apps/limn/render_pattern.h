@@ -13,8 +13,8 @@
 /// What `limn render` is told of bricks, thread and layers.
 struct PatternCommand {
     limn::PatternOptions options;
-    std::string heights; ///< the file with a print's layer heights, or ""
-    std::string note;    ///< what was found, once a picture is made
+    std::string heights;                      ///< the file with a print's layer heights, or ""
+    std::string note;                         ///< what was found, once a picture is made
     std::optional<limn::CuspHistogram> cusps; ///< of a print whose cusp heights a picture shows
     bool is_wanted() const { return options.kind != limn::PatternKind::plain; }
     /// A print stands on its build plate, where layers go up.

@@ -27,9 +27,12 @@ constexpr LayerModel models[] = {LayerModel::seed, LayerModel::slope, LayerModel
 /// Everything that decides where beads lie: whatever profiles a user has, the same G-code.
 std::string settings()
 {
-    return fmt::format("nozzle_diameter = 0.4\nfilament_diameter = 1.75\nlayer_height = {0}\nfirst_layer_height = {0}\nperimeters = 2\ntop_solid_layers = 4\nbottom_solid_layers = 3\n"
-                       "fill_density = 15%\nfill_pattern = rectilinear\nseam_position = rear\nskirts = 0\nbrim_width = 0\nelefant_foot_compensation = 0\nsupport_material = 0\n"
-                       "extrusion_width = 0.45\nexternal_perimeter_extrusion_width = 0.45\nfirst_layer_extrusion_width = 0.45\ngcode_comments = 0\nuse_relative_e_distances = 0\n"
+    return fmt::format("nozzle_diameter = 0.4\nfilament_diameter = 1.75\nlayer_height = {0}\nfirst_layer_height = {0}\nperimeters = "
+                       "2\ntop_solid_layers = 4\nbottom_solid_layers = 3\n"
+                       "fill_density = 15%\nfill_pattern = rectilinear\nseam_position = rear\nskirts = 0\nbrim_width = "
+                       "0\nelefant_foot_compensation = 0\nsupport_material = 0\n"
+                       "extrusion_width = 0.45\nexternal_perimeter_extrusion_width = 0.45\nfirst_layer_extrusion_width = "
+                       "0.45\ngcode_comments = 0\nuse_relative_e_distances = 0\n"
                        "bed_shape = 0x0,200x0,200x200,0x200\nthreads = 1\n",
                        sliced_layer);
 }
@@ -51,7 +54,8 @@ PrintPath sliced(const Mesh& mesh, const std::string& slicer)
     const std::filesystem::path part = folder / "part.stl", config = folder / "settings.ini", gcode = folder / "part.gcode";
     write_mesh(mesh, part);
     write_file(config.string(), settings());
-    output_of(fmt::format("{} --load '{}' --center {},{} --export-gcode -o '{}' '{}' 2>/dev/null", slicer, config.string(), bed_middle, bed_middle, gcode.string(), part.string()));
+    output_of(fmt::format("{} --load '{}' --center {},{} --export-gcode -o '{}' '{}' 2>/dev/null", slicer, config.string(), bed_middle,
+                          bed_middle, gcode.string(), part.string()));
     if (!std::filesystem::exists(gcode))
         throw Error::Device(fmt::format("{} made no G-code of a part", slicer));
     return read_gcode(gcode);
@@ -94,7 +98,8 @@ SlicerTable compare_with_slicer(int width, Console& console)
             for (const LayerModel model : models)
                 pictures.push_back(stage.painted(model, sliced_layer));
             pictures.push_back(drawn(path, print, stage));
-            std::vector<std::string> row = {shape.name, fmt::format("{:.1f}", sliced_layer / stage.layer_height(1)), std::to_string(print.moves.size())};
+            std::vector<std::string> row = {shape.name, fmt::format("{:.1f}", sliced_layer / stage.layer_height(1)),
+                                            std::to_string(print.moves.size())};
             for (const Image& image : pictures)
                 row.push_back(fmt::format("{:.3f}", flip(image, wanted.picture)));
             row.push_back(stage.aspect_text(wanted.picture, wanted.filled));

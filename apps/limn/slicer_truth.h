@@ -8,7 +8,9 @@
 /// Models of layers beside what rays meet of the beads that a slicer laid for the same part.
 struct SlicerTable {
     std::string slicer; ///< "PrusaSlicer 2.5.0"; "" where none is installed
-    MarkdownTable errors = MarkdownTable({"part", "px a layer", "pieces", "FLIP: seed", "FLIP: slope", "FLIP: beads", "FLIP: G-code", "highlight: truth", "highlight: seed", "highlight: slope", "highlight: beads", "highlight: G-code"});
+    MarkdownTable errors =
+        MarkdownTable({"part", "px a layer", "pieces", "FLIP: seed", "FLIP: slope", "FLIP: beads", "FLIP: G-code", "highlight: truth",
+                       "highlight: seed", "highlight: slope", "highlight: beads", "highlight: G-code"});
 };
 
 inline constexpr double sliced_layer = 0.2; ///< mm

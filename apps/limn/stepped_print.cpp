@@ -15,7 +15,7 @@ namespace {
 using Ring = std::vector<dvec2>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double shortest_side = 0.02;  ///< of a ring, layers: shorter ones would turn around where an edge goes in
+constexpr double shortest_side = 0.02; ///< of a ring, layers: shorter ones would turn around where an edge goes in
 constexpr double corner_cosine = 0.85; ///< between edges of a ring: beyond, there is a corner
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
@@ -42,7 +42,10 @@ Ring cleaned(const Ring& ring, double least)
     return result;
 }
 
-bool is_inside(const dvec2& p, const dvec2& a, const dvec2& b, const dvec2& c) { return cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0; }
+bool is_inside(const dvec2& p, const dvec2& a, const dvec2& b, const dvec2& c)
+{
+    return cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0;
+}
 
 /// A ring with what an edge needs of it: outward normals at both ends of each side, and the way in at each corner.
 struct Outline {
@@ -123,8 +126,8 @@ void add_layer(Builder& builder, const Ring& ring, double middle, const std::vec
             const auto corner = [&](std::size_t at, const dvec2& normal, const ProfilePoint& p) {
                 return builder.add(inner(at, p.in), middle + p.height, dvec3(normal * p.out_normal, p.up_normal));
             };
-            builder.quad(corner(i, outline.start_normals[i], low), corner(next, outline.end_normals[i], low), corner(next, outline.end_normals[i], high),
-                         corner(i, outline.start_normals[i], high));
+            builder.quad(corner(i, outline.start_normals[i], low), corner(next, outline.end_normals[i], low),
+                         corner(next, outline.end_normals[i], high), corner(i, outline.start_normals[i], high));
         }
     }
     Ring cap;
@@ -155,7 +158,8 @@ std::vector<Ring> slice(const Mesh& mesh, double height)
             const auto [low, high] = edge_of(a, b);
             const dvec3 &p = mesh.positions[low], &q = mesh.positions[high];
             places[{low, high}] = dvec2(glm::mix(p, q, (height - p.z) / (q.z - p.z)));
-            (above[k] ? way.first : way.second) = {low, high}; // the inside is to the left of the way from where it goes down to where it goes up
+            (above[k] ? way.first
+                      : way.second) = {low, high}; // the inside is to the left of the way from where it goes down to where it goes up
         }
         next[way.first] = way.second;
     }
@@ -194,7 +198,9 @@ std::vector<uvec3> cut_polygon(const Ring& ring)
                 least = size;
                 small = i;
             }
-            const bool empty = std::none_of(left.begin(), left.end(), [&](std::uint32_t v) { return v != a && v != b && v != c && is_inside(ring[v], ring[a], ring[b], ring[c]); });
+            const bool empty = std::none_of(left.begin(), left.end(), [&](std::uint32_t v) {
+                return v != a && v != b && v != c && is_inside(ring[v], ring[a], ring[b], ring[c]);
+            });
             if (empty)
                 ear = i;
         }

@@ -32,7 +32,8 @@ Scene scene_of(const Mesh& mesh)
 } // namespace
 
 TruthStage::TruthStage(const Mesh& mesh, const ivec2& size)
-    : scene(scene_of(mesh)), model(prepare_scene(scene)), camera(filling_camera(model, "35,22", size)), seen(seen_scene(model.lines, model.rays))
+    : scene(scene_of(mesh)), model(prepare_scene(scene)), camera(filling_camera(model, "35,22", size)),
+      seen(seen_scene(model.lines, model.rays))
 {
     look_closer(1);
     shade.background = vec3(0.82f);

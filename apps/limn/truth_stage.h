@@ -11,7 +11,7 @@
 struct TruthStage {
     limn::Scene scene;
     limn::SceneModel model;
-    limn::Camera camera; ///< from the front, a little to the right and above; the model fills its picture
+    limn::Camera camera;            ///< from the front, a little to the right and above; the model fills its picture
     std::vector<std::uint8_t> mask; ///< pixels that show the model: 1 for each
     limn::SeenScene seen;
     limn::ShadeOptions shade; ///< a studio's light, and what the model hides of it
@@ -34,5 +34,5 @@ struct TruthStage {
 };
 
 inline constexpr const char* truth_filament = "petg-grey";
-inline constexpr int truth_side = 12; ///< samples of a pixel, squared
+inline constexpr int truth_side = 12;          ///< samples of a pixel, squared
 inline constexpr double single_wall_bulge = 1; ///< half circles

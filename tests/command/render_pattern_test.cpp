@@ -14,7 +14,10 @@ namespace {
 
 class RenderPattern : public WithTorus {
 protected:
-    ProgramResult render(const std::string& model, const std::string& arguments) const { return limn("render " + model + " --size 120x90 -o " + path("a.png") + " " + arguments); }
+    ProgramResult render(const std::string& model, const std::string& arguments) const
+    {
+        return limn("render " + model + " --size 120x90 -o " + path("a.png") + " " + arguments);
+    }
     std::string sphere(const std::string& format) const
     {
         const std::string file = path("sphere." + format);
@@ -35,7 +38,8 @@ TEST_F(RenderPattern, APrintStandsOnItsPlateAndTheLastLineTellsItsSize)
 {
     const ProgramResult ply = render(torus(), "--material layers --layer-height 0.5mm");
     ASSERT_EQ(ply.exit_code, 0) << ply.errors;
-    EXPECT_NE(ply.errors.find("layers of 0.5 mm, the longest side taken as 100 mm (--units tells otherwise)"), std::string::npos) << ply.errors;
+    EXPECT_NE(ply.errors.find("layers of 0.5 mm, the longest side taken as 100 mm (--units tells otherwise)"), std::string::npos)
+        << ply.errors;
     const ProgramResult stl = render(sphere("stl"), "--material layers --layer-height 50um --filament petg-black");
     EXPECT_NE(stl.errors.find("layers of 0.05 mm, the longest side is 2 mm"), std::string::npos) << stl.errors;
     const ProgramResult glb = render(sphere("glb"), "--material layers");
@@ -57,7 +61,8 @@ TEST_F(RenderPattern, LayersShowAndTheSamePictureComesFromAnyNumberOfThreads)
 
 TEST_F(RenderPattern, CuspHeightsAreColouredCountedAndExplained)
 {
-    const ProgramResult result = limn("render " + torus() + " --size 400x300 --background '#ffffff' -o " + path("a.png") + " --material layers --layer-height 1mm --show cusp");
+    const ProgramResult result = limn("render " + torus() + " --size 400x300 --background '#ffffff' -o " + path("a.png") +
+                                      " --material layers --layer-height 1mm --show cusp");
     ASSERT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_NE(result.errors.find("cusps to 1 mm, mean 0."), std::string::npos) << result.errors;
     const Image image = read_png(path("a.png"));
@@ -96,7 +101,8 @@ TEST_F(RenderPattern, Checklist1AFileOfMoreThan65535VerticesIsDrawnWithItsOwnCou
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
             const double down = std::numbers::pi * (1 - (row + 0.5) / side), around = 2 * std::numbers::pi * column / side;
-            text += fmt::format("v {:.7f} {:.7f} {:.7f}\n", std::sin(down) * std::sin(around), std::cos(down), std::sin(down) * std::cos(around));
+            text += fmt::format("v {:.7f} {:.7f} {:.7f}\n", std::sin(down) * std::sin(around), std::cos(down),
+                                std::sin(down) * std::cos(around));
         }
     for (int row = 0; row + 1 < side; ++row)
         for (int column = 0; column < side; ++column) {
@@ -128,7 +134,9 @@ TEST_F(RenderPattern, Checklist2AModelWithoutUnitsIs100MillimetresLongAndItsLowe
 {
     // A wall 30 units wide and 20 high, far from the origin: 66.67 mm high, so 20 layers of 10/3 mm, in pixels of 1/10 layer.
     write_text(path("wall.obj"), "v 1000 507 -40\nv 1030 507 -40\nv 1030 527 -40\nv 1000 527 -40\nf 1 2 3 4\n");
-    const std::string wall = "render " + path("wall.obj") + " --quiet --samples 1 --size 300x200 --ortho --eye 1015,517,60 --look 1015,517,-40 --background '#ff00ff' --light 0,0.6,1 --ground=no " +
+    const std::string wall = "render " + path("wall.obj") +
+                             " --quiet --samples 1 --size 300x200 --ortho --eye 1015,517,60 --look 1015,517,-40 --background '#ff00ff' "
+                             "--light 0,0.6,1 --ground=no " +
                              "--variety 0 --material layers --layer-height 3.333333333 -o " + path("a.png");
     const ProgramResult result = limn(wall + " --json");
     ASSERT_EQ(result.exit_code, 0) << result.errors;
@@ -155,12 +163,17 @@ TEST_F(RenderPattern, BricksAndThreadAreDrawnWithEveryFilter)
 {
     for (const std::string material : {"bricks", "thread"})
         for (const std::string filter : {"gauss", "box", "even", "seed", "none"})
-            EXPECT_EQ(render(torus(), "--quiet --pattern-samples 4 --samples 4 --material " + material + " --pattern-filter " + filter).exit_code, 0) << material << " " << filter;
+            EXPECT_EQ(
+                render(torus(), "--quiet --pattern-samples 4 --samples 4 --material " + material + " --pattern-filter " + filter).exit_code,
+                0)
+                << material << " " << filter;
 }
 
 TEST_F(RenderPattern, SceneFilesHoldEveryNumberOfAPattern)
 {
-    write_text(path("scene.json"), R"({"limn": 1, "objects": [{"file": "torus.obj"}], "pattern": {"material": "layers", "layer-height": 2, "print-direction": [1, 0, 0], "bead-bulge": 0.8}})");
+    write_text(
+        path("scene.json"),
+        R"({"limn": 1, "objects": [{"file": "torus.obj"}], "pattern": {"material": "layers", "layer-height": 2, "print-direction": [1, 0, 0], "bead-bulge": 0.8}})");
     ASSERT_EQ(render(path("scene.json"), "").exit_code, 0);
     const std::string from_scene = read_text(path("a.png"));
     ASSERT_EQ(render(torus(), "--material layers --layer-height 2 --print-direction 1,0,0 --bead-bulge 0.8").exit_code, 0);
@@ -195,11 +208,13 @@ TEST_F(RenderPattern, BadInputIsRefusedInOneLineAndNothingIsWritten)
     expect_refusal("--material layers --print-direction 1,2", "--print-direction: '1,2' is not up, x, y, z, -x, -y, -z or x,y,z");
     expect_refusal("--material layers --filament petg-balck", "there is no 'petg-balck'; did you mean 'petg-black'?");
     expect_refusal("--material layers --layer-heights " + path("bad.txt"), "bad.txt, line 2: 'x' is not a number");
-    expect_refusal("--material layers --layer-heights " + path("bad.txt") + " --layer-height 1", "--layer-heights and --layer-height both say how high layers are; give one");
+    expect_refusal("--material layers --layer-heights " + path("bad.txt") + " --layer-height 1",
+                   "--layer-heights and --layer-height both say how high layers are; give one");
     expect_refusal("--layer-height 1", "--layer-height is of prints; give --material layers too");
     expect_refusal("--material marble", "--material: 'marble' is none of plain|layers|bricks|thread");
     if (limn("render " + torus() + " --device gpu --size 8x6 -o " + path("g.png")).exit_code == 0) {
-        expect_refusal("--material layers --device gpu --shadow ray", "--device gpu: shadows, lights with a size and --ao are computed on the processor; leave the option out");
+        expect_refusal("--material layers --device gpu --shadow ray",
+                       "--device gpu: shadows, lights with a size and --ao are computed on the processor; leave the option out");
     }
 }
 

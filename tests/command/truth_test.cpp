@@ -124,7 +124,8 @@ TEST(SteppedPrint, FillsWhatItsSlicesDoAndItsNormalsPointOut)
             const vec3 n = glm::cross(print->positions[t.y] - print->positions[t.x], print->positions[t.z] - print->positions[t.x]);
             inward += glm::dot(n, print->normals[t.x] + print->normals[t.y] + print->normals[t.z]) < -1e-9f;
         }
-        EXPECT_LE(inward, print->triangles.size() / 200) << "but for slivers at the poles, whose rings are hardly larger than edges are round";
+        EXPECT_LE(inward, print->triangles.size() / 200)
+            << "but for slivers at the poles, whose rings are hardly larger than edges are round";
     }
 }
 
@@ -138,7 +139,9 @@ TEST(SteppedPrint, TreadsHaveNoHoles)
                 const double radius = std::sqrt(1 - middle * middle) - 0.5 * bulge * height;
                 wanted += std::numbers::pi * std::max(radius, 0.0) * std::max(radius, 0.0);
             }
-            EXPECT_NEAR(tread_area(stepped_print(make_shape({.name = "sphere", .triangles = triangles}).mesh, {height, bulge})) / wanted, 1, triangles < 10000 ? 0.02 : 0.005) << triangles << " " << bulge;
+            EXPECT_NEAR(tread_area(stepped_print(make_shape({.name = "sphere", .triangles = triangles}).mesh, {height, bulge})) / wanted, 1,
+                        triangles < 10000 ? 0.02 : 0.005)
+                << triangles << " " << bulge;
         }
 }
 
@@ -215,8 +218,11 @@ TEST(Highlight, IsNoneOnEvenPicturesAndFlatFacesAndOnlyTheBrightestOfTwo)
     EXPECT_FALSE(highlight_of(with([](int, int) { return 0.4; }), all, 2));
     EXPECT_FALSE(highlight_of(with([](int x, int) { return x < 30 ? 0.6 : 0.2; }), all, 2)) << "a bright face at the outline";
     EXPECT_FALSE(highlight_of(with([](int x, int y) { return 0.3 + 0.001 * x + 0.001 * y; }), all, 2)) << "brightest in a corner";
-    const auto two = highlight_of(with([](int x, int y) { return 0.1 + std::exp(-0.01 * std::hypot(x - 50, y - 60) * std::hypot(x - 50, y - 60)) +
-                                                                  0.8 * std::exp(-0.01 * std::hypot(x - 120, y - 60) * std::hypot(x - 120, y - 60)); }), all, 2);
+    const auto two = highlight_of(with([](int x, int y) {
+                                      return 0.1 + std::exp(-0.01 * std::hypot(x - 50, y - 60) * std::hypot(x - 50, y - 60)) +
+                                             0.8 * std::exp(-0.01 * std::hypot(x - 120, y - 60) * std::hypot(x - 120, y - 60));
+                                  }),
+                                  all, 2);
     ASSERT_TRUE(two);
     EXPECT_NEAR(two->middle.x, 50.5, 0.5);
     EXPECT_NEAR(two->aspect, 1, 0.05);

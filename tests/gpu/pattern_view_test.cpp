@@ -25,7 +25,8 @@ double share_of_other_pixels(const Image& a, const Image& b, double limit)
     return double(other) / (double(a.width) * double(a.height));
 }
 
-Image on_device(gpu::PatternRenderer& renderer, const SeenScene& seen, const Camera& camera, const PatternOptions& options, const PatternPlace& place, const ShadeOptions& shade)
+Image on_device(gpu::PatternRenderer& renderer, const SeenScene& seen, const Camera& camera, const PatternOptions& options,
+                const PatternPlace& place, const ShadeOptions& shade)
 {
     return renderer.render(camera, compose_pattern(seen, options, place, shade, pattern_lights(seen, camera, shade, place)));
 }
@@ -56,7 +57,9 @@ std::vector<Case> cases(const SeenScene& seen)
     using F = PatternFilter;
     std::vector<Case> all;
     const auto layers = [&](const char* name, LayerModel model, double height, F filter, const ShadeOptions& shade) {
-        all.push_back({name, with(PatternKind::layers, [&](PatternOptions& o) { o.layer_model = model, o.layer_height = height, o.filter = filter; }), shade});
+        all.push_back(
+            {name, with(PatternKind::layers, [&](PatternOptions& o) { o.layer_model = model, o.layer_height = height, o.filter = filter; }),
+             shade});
     };
     layers("beads", LayerModel::bead, 3, F::gauss, studio);
     layers("fine beads", LayerModel::bead, 0.3, F::gauss, lamp);
@@ -74,13 +77,19 @@ std::vector<Case> cases(const SeenScene& seen)
     all.back().name = "cusps";
     all.back().options.show = PrintShow::cusp;
     const auto bricks = [&](const char* name, F filter, double size, const ShadeOptions& shade) {
-        all.push_back({name, with(PatternKind::bricks, [&](PatternOptions& o) { o.filter = filter, o.brick_width *= size, o.brick_height *= size, o.brick_depth *= size, o.mortar *= size; }), shade});
+        all.push_back({name,
+                       with(PatternKind::bricks,
+                            [&](PatternOptions& o) {
+                                o.filter = filter, o.brick_width *= size, o.brick_height *= size, o.brick_depth *= size, o.mortar *= size;
+                            }),
+                       shade});
     };
     bricks("bricks", F::gauss, 2, studio);
     bricks("fine bricks", F::gauss, 0.3, lamp);
     bricks("bricks, square", F::box, 1, distant);
     const auto thread = [&](const char* name, F filter, double hole, const ShadeOptions& shade) {
-        all.push_back({name, with(PatternKind::thread, [&](PatternOptions& o) { o.filter = filter, o.hole = hole, o.thread = 0.7 * hole; }), shade});
+        all.push_back(
+            {name, with(PatternKind::thread, [&](PatternOptions& o) { o.filter = filter, o.hole = hole, o.thread = 0.7 * hole; }), shade});
     };
     thread("thread", F::gauss, 0.03, studio);
     thread("fine thread", F::gauss, 0.006, lamp);
@@ -101,9 +110,11 @@ TEST_F(GpuPattern, PicturesAreThoseOfTheProcessor)
     for (const Case& c : cases(seen)) {
         const bool orthographic = ++number % 3 == 0;
         const Camera camera = stage.camera({160, 120}, orthographic);
-        const Image device = on_device(renderer, seen, camera, c.options, standing(), c.shade), expected = paint_pattern(seen, camera, c.options, standing(), c.shade);
+        const Image device = on_device(renderer, seen, camera, c.options, standing(), c.shade),
+                    expected = paint_pattern(seen, camera, c.options, standing(), c.shade);
         const double other = share_of_other_pixels(device, expected, 2.0 / 255);
-        fmt::print("[ pattern  ] {}{}: {:.3f} % of the pixels differ by more than 2/255\n", c.name, orthographic ? ", orthographic" : "", 100 * other);
+        fmt::print("[ pattern  ] {}{}: {:.3f} % of the pixels differ by more than 2/255\n", c.name, orthographic ? ", orthographic" : "",
+                   100 * other);
         EXPECT_LE(other, 0.001) << c.name;
     }
 }
@@ -120,7 +131,8 @@ TEST_F(GpuPattern, ThreadShowsItsFarSideAndTheBackgroundThroughItsHoles)
     options.hole = 0.04, options.thread = 0.02;
     ShadeOptions shade;
     shade.background = vec3(1, 0, 1);
-    const Image device = on_device(renderer, seen, camera, options, standing(), shade), expected = paint_pattern(seen, camera, options, standing(), shade);
+    const Image device = on_device(renderer, seen, camera, options, standing(), shade),
+                expected = paint_pattern(seen, camera, options, standing(), shade);
     EXPECT_LE(share_of_other_pixels(device, expected, 2.0 / 255), 0.001);
     int clear = 0, far = 0;
     for (int y = 60; y < 140; ++y)
@@ -136,7 +148,8 @@ TEST_F(GpuPattern, ThreadShowsItsFarSideAndTheBackgroundThroughItsHoles)
 TEST_F(GpuPattern, EachObjectMayHaveAPatternOfItsOwn)
 {
     const Shape torus = make_shape({.name = "torus", .triangles = 3000}), blob = make_shape({.name = "blob", .triangles = 3000});
-    const PlacedSurface placed[] = {{&torus.mesh, &torus.exact}, {&blob.mesh, &blob.exact, glm::rotate(glm::translate(dmat4(1), dvec3(1, 2, 0)), 0.6, dvec3(1, 2, 0))}};
+    const PlacedSurface placed[] = {{&torus.mesh, &torus.exact},
+                                    {&blob.mesh, &blob.exact, glm::rotate(glm::translate(dmat4(1), dvec3(1, 2, 0)), 0.6, dvec3(1, 2, 0))}};
     const LineModel model = build_line_model(placed);
     const RayScene rays = build_ray_scene(model);
     const SeenScene seen = seen_scene(model, rays);
@@ -153,7 +166,10 @@ TEST_F(GpuPattern, EachObjectMayHaveAPatternOfItsOwn)
         options.with_object = true;
         options.layer_height = 2;
         options.layer_heights = kind == PatternKind::layers ? std::vector<double>{3, 1, 2, 4} : std::vector<double>{};
-        EXPECT_LE(share_of_other_pixels(on_device(renderer, seen, camera, options, place, {}), paint_pattern(seen, camera, options, place, {}), 2.0 / 255), 0.001) << int(kind);
+        EXPECT_LE(share_of_other_pixels(on_device(renderer, seen, camera, options, place, {}),
+                                        paint_pattern(seen, camera, options, place, {}), 2.0 / 255),
+                  0.001)
+            << int(kind);
     }
 }
 
@@ -172,10 +188,14 @@ TEST_F(GpuPattern, LargePicturesArePutTogetherFromTilesAndAreTheSameTwice)
         options.kind = kind;
         const Camera camera = stage.camera({170, 130});
         const Image once = on_device(whole, seen, camera, options, standing(), shade);
-        EXPECT_LE(share_of_other_pixels(once, on_device(tiled, seen, camera, options, standing(), shade), 1.0 / 255), 0.001); // the tiles' matrices round otherwise
+        EXPECT_LE(share_of_other_pixels(once, on_device(tiled, seen, camera, options, standing(), shade), 1.0 / 255),
+                  0.001); // the tiles' matrices round otherwise
         EXPECT_EQ(once.samples, on_device(whole, seen, camera, options, standing(), shade).samples);
     }
-    EXPECT_THROW(tiled.draw_frame(stage.camera({170, 130}), compose_pattern(seen, options, standing(), shade, pattern_lights(seen, stage.camera({170, 130}), shade, standing()))), Error::Input);
+    EXPECT_THROW(
+        tiled.draw_frame(stage.camera({170, 130}), compose_pattern(seen, options, standing(), shade,
+                                                                   pattern_lights(seen, stage.camera({170, 130}), shade, standing()))),
+        Error::Input);
 }
 
 } // namespace

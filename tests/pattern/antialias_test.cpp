@@ -105,20 +105,34 @@ PatternLight light() { return {{glm::normalize(vec3(-0.4f, 0.8f, 0.7f)), vec3(2)
 std::vector<Case> cases(double period)
 {
     const float unit = float(period * 2.68 / edge); // the picture shows so much at the middle
-    const BrickShader bricks = {{vec3(1.5f * unit, unit, unit), 0.12f * unit, 2, vec3(0.03f), vec3(0.5f, 0.2f, 0.1f), vec3(0.7f), 0, 0}, {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0}, light()};
+    const BrickShader bricks = {{vec3(1.5f * unit, unit, unit), 0.12f * unit, 2, vec3(0.03f), vec3(0.5f, 0.2f, 0.1f), vec3(0.7f), 0, 0},
+                                {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0},
+                                light()};
     const float cell = 1 / std::round(6.2831853f / unit); // of the way around: whole cells
     const ThreadShader thread = {{0.6f * cell, 0.4f * cell, vec3(0.2f, 0.35f, 0.6f), 0.2f, 8, -1, 1, 0}, light(), vec3(0, 0, -1), 1};
-    LayerShader seed = {{LAYERS_SEED, {0, 1, 0}, 0, 0.2f, 0.5f, 0, {1, 0, 0}, unit}, {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 0, 0, 0}, light(), LayerStack(double(unit), -20)};
+    LayerShader seed = {{LAYERS_SEED, {0, 1, 0}, 0, 0.2f, 0.5f, 0, {1, 0, 0}, unit},
+                        {FINISH_BLINN_PHONG, vec3(0.6f), 0.1f, 100, 0, 0, 0},
+                        light(),
+                        LayerStack(double(unit), -20)};
     LayerShader slope = seed, bead = seed;
     slope.pattern.model = LAYERS_SLOPE;
     bead.pattern.model = LAYERS_BEAD;
     bead.finish = {FINISH_GGX, vec3(0.6f), 0, 1, 0.25f, 0.35f, 0.04f};
     const auto plane = [](const char* name, const auto& shader) {
-        return Case{name, [shader](const PatternCamera& c, const PatternSpot& s, const vec2& p, std::span<const vec2> samples) { return supersample(shader, c, s, p, samples); },
+        return Case{name,
+                    [shader](const PatternCamera& c, const PatternSpot& s, const vec2& p, std::span<const vec2> samples) {
+                        return supersample(shader, c, s, p, samples);
+                    },
                     [shader](const PatternPoint& p, int kernel, float width) { return shader.at(p, kernel, width); }};
     };
-    return {plane("bricks", bricks), plane("layers, seed", seed), plane("layers, slope", slope), plane("layers, bead", bead),
-            {"thread", [thread](const PatternCamera& c, const PatternSpot&, const vec2& p, std::span<const vec2> samples) { return supersample_sphere(thread, c, false, p, samples); },
+    return {plane("bricks", bricks),
+            plane("layers, seed", seed),
+            plane("layers, slope", slope),
+            plane("layers, bead", bead),
+            {"thread",
+             [thread](const PatternCamera& c, const PatternSpot&, const vec2& p, std::span<const vec2> samples) {
+                 return supersample_sphere(thread, c, false, p, samples);
+             },
              [thread](const PatternPoint& p, int kernel, float width) { return thread.at(p, kernel, width); }, true}};
 }
 
@@ -177,7 +191,9 @@ TEST(Checklist26, MoreSamplesOfTheSeedComeNearerToTheReference)
     const Spots spots;
     const std::vector<vec2> many = stratified_samples(32, KERNEL_BOX, 2, 1);
     for (const Case& c : cases(6)) {
-        const auto sampled = [&](std::span<const vec2> samples) { return picture(spots, c.sphere, [&](const PatternSpot& s, const vec2& p) { return c.sampled(spots.camera, s, p, samples); }); };
+        const auto sampled = [&](std::span<const vec2> samples) {
+            return picture(spots, c.sphere, [&](const PatternSpot& s, const vec2& p) { return c.sampled(spots.camera, s, p, samples); });
+        };
         const std::vector<double> reference = sampled(many);
         double last = 1e30;
         for (const int count : {1, 10, 32, 50}) {
@@ -197,10 +213,14 @@ TEST(Checklist26, MoreSamplesOfTheSeedComeNearerToTheReference)
 TEST(Filter, IsNearerToTheReferenceOfItsOwnKernelThanFiftySamples)
 {
     const Spots spots;
-    const std::vector<vec2> gauss = stratified_samples(32, KERNEL_GAUSS, 0.5f, 2), box = stratified_samples(32, KERNEL_BOX, 2, 3), seed = seed_samples(50, 2, 1);
+    const std::vector<vec2> gauss = stratified_samples(32, KERNEL_GAUSS, 0.5f, 2), box = stratified_samples(32, KERNEL_BOX, 2, 3),
+                            seed = seed_samples(50, 2, 1);
     for (const double period : {10.0, 2.2, 0.4}) // pixels
         for (const Case& c : cases(period)) {
-            const auto sampled = [&](std::span<const vec2> samples) { return picture(spots, c.sphere, [&](const PatternSpot& s, const vec2& p) { return c.sampled(spots.camera, s, p, samples); }); };
+            const auto sampled = [&](std::span<const vec2> samples) {
+                return picture(spots, c.sphere,
+                               [&](const PatternSpot& s, const vec2& p) { return c.sampled(spots.camera, s, p, samples); });
+            };
             const auto filtered = [&](int kernel, float width) {
                 return picture(spots, c.sphere, [&](const PatternSpot& s, const vec2& p) {
                     if (!c.sphere)
@@ -212,7 +232,8 @@ TEST(Filter, IsNearerToTheReferenceOfItsOwnKernelThanFiftySamples)
                 });
             };
             const std::vector<double> reference = sampled(gauss), wide = sampled(box);
-            const double ours = rmse(filtered(KERNEL_GAUSS, 0.5f), reference), ours_box = rmse(filtered(KERNEL_BOX, 2), wide), theirs = rmse(sampled(seed), wide);
+            const double ours = rmse(filtered(KERNEL_GAUSS, 0.5f), reference), ours_box = rmse(filtered(KERNEL_BOX, 2), wide),
+                         theirs = rmse(sampled(seed), wide);
             EXPECT_LT(ours, theirs) << c.name << ", period " << period;
             EXPECT_LT(ours_box, theirs) << c.name << ", period " << period;
             EXPECT_LT(ours, c.sphere ? 0.016 : 0.01) << c.name << ", period " << period;
@@ -230,7 +251,8 @@ TEST(Filter, AlmostNoKernelGivesTheHardPatternAndAVeryWideOneItsMean)
             differ += std::abs(luminance(c.at(p, KERNEL_GAUSS, 1e-3f)) - luminance(c.at(p, KERNEL_NONE, 0))) > 0.01;
         }
         EXPECT_LE(differ, 8) << c.name; // on an edge
-        const PatternPoint here = spots.camera.point(spots.at({18, 21}, c.sphere)), there = spots.camera.point(spots.at({22.7f, 19.1f}, c.sphere));
+        const PatternPoint here = spots.camera.point(spots.at({18, 21}, c.sphere)),
+                           there = spots.camera.point(spots.at({22.7f, 19.1f}, c.sphere));
         PatternPoint moved = here;
         moved.position = there.position;
         const vec4 a = c.at(here, KERNEL_GAUSS, 60), b = c.at(moved, KERNEL_GAUSS, 60);
@@ -286,7 +308,8 @@ TEST(Checklist27, TheFilterLeavesLessThanSamplesDo)
 TEST(Samples, OfKernelsHaveTheirMomentsAndStayInside)
 {
     for (const int kernel : {KERNEL_BOX, KERNEL_GAUSS})
-        for (const std::vector<vec2>& samples : {even_samples(1024, kernel, 0.5f, vec2(0.3f, 0.7f)), stratified_samples(32, kernel, 0.5f, 5)}) {
+        for (const std::vector<vec2>& samples :
+             {even_samples(1024, kernel, 0.5f, vec2(0.3f, 0.7f)), stratified_samples(32, kernel, 0.5f, 5)}) {
             dvec2 middle(0), square(0);
             for (const vec2& s : samples) {
                 middle += dvec2(s) / 1024.0;

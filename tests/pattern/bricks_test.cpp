@@ -56,7 +56,8 @@ TEST(Checklist11, BondedBricksAreShiftedOnTheirSidesToo)
     const int n = 400000;
     for (int i = 0; i < n; ++i) {
         Random random(23, std::uint64_t(i));
-        inside += brick_mask(bonded, {float(random.uniform(-2.6, 2.6)), float(random.uniform(-1.8, 1.8)), float(random.uniform(-2.1, 2.1))}) > 0.5f;
+        inside += brick_mask(bonded,
+                             {float(random.uniform(-2.6, 2.6)), float(random.uniform(-1.8, 1.8)), float(random.uniform(-2.1, 2.1))}) > 0.5f;
     }
     EXPECT_NEAR(double(inside) / n, 0.7733, 0.003);
     EXPECT_EQ(brick_mask(bonded, {0.26f, 0.09f, 0.0f}), 0.0f) << "mortar between bricks of an even row";
@@ -119,7 +120,8 @@ TEST(Checklist12, LightFromTheUpperLeftBrightensLeftAndTopBevels)
     const BrickPattern b = wall(2);
     const vec3 light = glm::normalize(vec3(-1, 1, 1));
     const auto lit = [&](float x, float y) { return facing(bumped({0, 0, 1}, brick_gradient(b, {x, y, 0})), light); };
-    const float left = lit(0.005f, 0.09f), right = lit(0.515f, 0.09f), bottom = lit(0.26f, 0.005f), top = lit(0.26f, 0.175f), middle = lit(0.26f, 0.09f);
+    const float left = lit(0.005f, 0.09f), right = lit(0.515f, 0.09f), bottom = lit(0.26f, 0.005f), top = lit(0.26f, 0.175f),
+                middle = lit(0.26f, 0.09f);
     EXPECT_GT(left, middle * 0.9f);
     EXPECT_GT(top, middle * 0.9f);
     EXPECT_LT(right, 0.3f * left);
@@ -180,9 +182,14 @@ TEST(Bricks, MatteOnesLookAsThoseWithAHighlightOfNoStrength)
         b.bond = i % 4 == 3 ? 1 : 0;
         const vec3 n = i % 3 == 0 ? vec3(0, 0, 1) : direction();
         const float size = std::exp(number(4));
-        const PatternPoint p = {{number(2), number(2), number(2)}, n, n, size * 0.1f * vec3(number(1), number(1), number(1)), size * 0.1f * vec3(number(1), number(1), number(1))};
+        const PatternPoint p = {{number(2), number(2), number(2)},
+                                n,
+                                n,
+                                size * 0.1f * vec3(number(1), number(1), number(1)),
+                                size * 0.1f * vec3(number(1), number(1), number(1))};
         const Illumination lit = {direction(), vec3(2), 0, direction(), vec3(0.5f), vec3(0.1f)};
-        const vec3 matte = bricks_through(b, {FINISH_MATTE, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit), phong = bricks_through(b, {FINISH_PHONG, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit);
+        const vec3 matte = bricks_through(b, {FINISH_MATTE, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit),
+                   phong = bricks_through(b, {FINISH_PHONG, vec3(1), 0, 10, 1, 1, 0}, p, KERNEL_GAUSS, 0.5f, lit);
         EXPECT_LT(glm::length(matte - phong), 2e-4f);
     }
 }

@@ -58,7 +58,9 @@ TEST(Checklist19, NothingIsNotANumber)
         const PatternPoint p = {vec3(0), n, -w, vec3(0.01f, 0, 0), vec3(0, 0.01f, 0)};
         for (const int model : {LAYERS_SEED, LAYERS_SOFT, LAYERS_SLOPE, LAYERS_BEAD, LAYERS_VOXEL})
             for (const int kernel : {KERNEL_NONE, KERNEL_GAUSS, KERNEL_BOX}) {
-                const vec3 c = layers_through(layers(model), plastic(), p, {float(random.uniform(-9, 9)), 0.02f, vec2(0.3f, i % 17 == 0 ? 1e30f : 0.1f)}, kernel, 1, light({1, 1, 1}).lighting);
+                const vec3 c = layers_through(layers(model), plastic(), p,
+                                              {float(random.uniform(-9, 9)), 0.02f, vec2(0.3f, i % 17 == 0 ? 1e30f : 0.1f)}, kernel, 1,
+                                              light({1, 1, 1}).lighting);
                 EXPECT_TRUE(std::isfinite(c.x + c.y + c.z)) << model << " " << kernel;
             }
     }
@@ -183,8 +185,8 @@ TEST(Beads, AreWhatRaysSeeOfRoundedStepsFromBeforeAndBehind)
 
 /// A stack under one light, sky and floor, as its pixels see it on average.
 struct Groove {
-    double tilt, bulge;        ///< of the slope, radians from upright; of its edges
-    vec3 to_eye, to_light;     ///< out, along the beads, up
+    double tilt, bulge;    ///< of the slope, radians from upright; of its edges
+    vec3 to_eye, to_light; ///< out, along the beads, up
     vec3 sky = vec3(1), light = vec3(1);
 };
 
@@ -236,8 +238,10 @@ double traced(const Groove& g)
             light += lit.light * facing(n, g.to_light) / std::numbers::pi_v<float>;
         for (int i = 0; i < rings; ++i)
             for (int j = 0; j < spokes; ++j) { // as often as the cosine is high
-                const float radius = std::sqrt((float(i) + 0.5f) / rings), turn = 2 * std::numbers::pi_v<float> * (float(j) + 0.5f) / spokes;
-                const vec3 way = radius * std::cos(turn) * aside + radius * std::sin(turn) * vec3(0, 1, 0) + std::sqrt(1 - radius * radius) * n;
+                const float radius = std::sqrt((float(i) + 0.5f) / rings),
+                            turn = 2 * std::numbers::pi_v<float> * (float(j) + 0.5f) / spokes;
+                const vec3 way =
+                    radius * std::cos(turn) * aside + radius * std::sin(turn) * vec3(0, 1, 0) + std::sqrt(1 - radius * radius) * n;
                 if (is_open(met.place, way))
                     light += radiance_around(lit, way) / float(rings * spokes);
             }
@@ -253,8 +257,10 @@ TEST(Grooves, HideAsMuchLightAsRaysFindHidden)
     for (std::uint64_t i = 0; i < 90; ++i) {
         Groove g = groove(i);
         g.light = vec3(3), g.sky = vec3(0);
-        const double wanted = traced(g), open = double(facing({float(std::cos(g.tilt)), 0, float(std::sin(g.tilt))}, g.to_light)) * 3 / std::numbers::pi;
-        EXPECT_NEAR(modelled(g), wanted, 0.03 + 0.05 * wanted) << i << " tilt " << g.tilt << " bulge " << g.bulge << " light " << g.to_light.x << " " << g.to_light.z;
+        const double wanted = traced(g),
+                     open = double(facing({float(std::cos(g.tilt)), 0, float(std::sin(g.tilt))}, g.to_light)) * 3 / std::numbers::pi;
+        EXPECT_NEAR(modelled(g), wanted, 0.03 + 0.05 * wanted)
+            << i << " tilt " << g.tilt << " bulge " << g.bulge << " light " << g.to_light.x << " " << g.to_light.z;
         hidden += std::max(0.0, open - wanted);
     }
     EXPECT_GT(hidden, 1) << "some of them have shadows";
@@ -267,7 +273,8 @@ TEST(Grooves, SeeAsMuchOfTheSkyAsRaysDo)
         Groove g = groove(i);
         g.light = vec3(0);
         const double wanted = traced(g);
-        EXPECT_NEAR(modelled(g), wanted, 0.02 + 0.02 * wanted) << i << " tilt " << g.tilt << " bulge " << g.bulge << " eye " << g.to_eye.x << " " << g.to_eye.z;
+        EXPECT_NEAR(modelled(g), wanted, 0.02 + 0.02 * wanted)
+            << i << " tilt " << g.tilt << " bulge " << g.bulge << " eye " << g.to_eye.x << " " << g.to_eye.z;
         least = std::min(least, wanted);
     }
     EXPECT_LT(least, 0.4);
@@ -289,13 +296,16 @@ TEST(Ambient, IsTheMeanOfSkyAndFloor)
     for (int i = 0; i < 20; ++i) {
         Random random(34, std::uint64_t(i));
         const Illumination lit = {{0, 0, 1}, vec3(0), 0, {0, 1, 0}, vec3(0.4f, 0.5f, 0.6f), vec3(0.1f)};
-        const vec3 n = direction(random), a = glm::normalize(glm::cross(n, std::abs(n.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0))), b = glm::cross(n, a);
+        const vec3 n = direction(random), a = glm::normalize(glm::cross(n, std::abs(n.x) < 0.9f ? vec3(1, 0, 0) : vec3(0, 1, 0))),
+                   b = glm::cross(n, a);
         vec3 sum(0);
         const int rings = 40, spokes = 80;
         for (int r = 0; r < rings; ++r)
             for (int k = 0; k < spokes; ++k) {
-                const float radius = std::sqrt((float(r) + 0.5f) / rings), turn = 2 * std::numbers::pi_v<float> * (float(k) + 0.5f) / spokes;
-                sum += radiance_around(lit, radius * (std::cos(turn) * a + std::sin(turn) * b) + std::sqrt(1 - radius * radius) * n) / float(rings * spokes);
+                const float radius = std::sqrt((float(r) + 0.5f) / rings),
+                            turn = 2 * std::numbers::pi_v<float> * (float(k) + 0.5f) / spokes;
+                sum += radiance_around(lit, radius * (std::cos(turn) * a + std::sin(turn) * b) + std::sqrt(1 - radius * radius) * n) /
+                       float(rings * spokes);
             }
         EXPECT_LT(glm::length(ambient_around(lit, n) - sum), 2e-3f);
     }
@@ -306,7 +316,8 @@ TEST(Beads, GoOverIntoFlatStepsAsTheyGetFlatter)
     for (std::uint64_t i = 0; i < 2000; ++i) {
         const Look l = look(i);
         const BeadView view = bead_view(1e-3f, float(l.normal.x), float(l.normal.y), float(-l.sight.x), float(-l.sight.y));
-        EXPECT_NEAR(1 - (view.to - view.from) / view.period, tread_share(float(l.normal.y), float(-l.sight.y), float(-glm::dot(l.normal, l.sight))), 0.02f);
+        EXPECT_NEAR(1 - (view.to - view.from) / view.period,
+                    tread_share(float(l.normal.y), float(-l.sight.y), float(-glm::dot(l.normal, l.sight))), 0.02f);
     }
 }
 
@@ -344,12 +355,14 @@ TEST(Checklist21, BlocksAreTreadsAndRisersOfBothAxes)
     EXPECT_GT(none, 0);
     // A pixel that sees many blocks sees their mean, in which the axes are alike.
     const PatternPoint wide = {vec3(0), n, to_eye, vec3(1, 0.3f, 0), vec3(0.2f, 1, 0)};
-    const vec3 seen = layers_through(blocks, plastic(), wide, {0, 0.02f, change_per_pixel(wide, {0, 1, 0}) / 0.02f}, KERNEL_GAUSS, 0.5f, light({1, 1, 1}).lighting);
+    const vec3 seen = layers_through(blocks, plastic(), wide, {0, 0.02f, change_per_pixel(wide, {0, 1, 0}) / 0.02f}, KERNEL_GAUSS, 0.5f,
+                                     light({1, 1, 1}).lighting);
     vec3 mean(0);
     for (int i = 0; i < 20000; ++i) {
         Random random(25, std::uint64_t(i));
         const PatternPoint p = {{float(random.uniform(-1, 1)), float(random.uniform(-1, 1)), 0}, n, to_eye, vec3(0), vec3(0)};
-        mean += layers_through(blocks, plastic(), p, {p.position.y / 0.02f, 0.02f, vec2(0)}, KERNEL_NONE, 0, light({1, 1, 1}).lighting) / 20000.0f;
+        mean += layers_through(blocks, plastic(), p, {p.position.y / 0.02f, 0.02f, vec2(0)}, KERNEL_NONE, 0, light({1, 1, 1}).lighting) /
+                20000.0f;
     }
     EXPECT_NEAR(seen.x, mean.x, 0.02f * mean.x);
 }
@@ -365,8 +378,10 @@ TEST(Checklist21, LayersAlongAnotherAxisAreTheTurnedLayers)
         turned.lighting.to_light = turn(lit.lighting.to_light);
         turned.lighting.up = turn(lit.lighting.up);
         for (const int model : {LAYERS_SEED, LAYERS_SOFT, LAYERS_SLOPE, LAYERS_BEAD}) {
-            const vec3 a = layers_through(layers(model), plastic(), {vec3(0), n, to_eye, vec3(0), vec3(0)}, place, KERNEL_GAUSS, 0.5f, lit.lighting);
-            const vec3 b = layers_through(layers(model, {1, 0, 0}), plastic(), {vec3(0), turn(n), turn(to_eye), vec3(0), vec3(0)}, place, KERNEL_GAUSS, 0.5f, turned.lighting);
+            const vec3 a =
+                layers_through(layers(model), plastic(), {vec3(0), n, to_eye, vec3(0), vec3(0)}, place, KERNEL_GAUSS, 0.5f, lit.lighting);
+            const vec3 b = layers_through(layers(model, {1, 0, 0}), plastic(), {vec3(0), turn(n), turn(to_eye), vec3(0), vec3(0)}, place,
+                                          KERNEL_GAUSS, 0.5f, turned.lighting);
             EXPECT_LT(glm::length(a - b), 1e-3f);
         }
     }
@@ -390,7 +405,11 @@ double bands(double layer_height)
     double mean = 0;
     for (int i = 0; i < n; ++i) {
         const float y = 2 * (float(i) + 0.5f) / float(n);
-        values[std::size_t(i)] = double(shader.at({{0, y, 0}, {0, 0, 1}, glm::normalize(vec3(0, 0.5f, 1)), vec3(2.0f / n, 0, 0), vec3(0, -2.0f / n, 0)}, KERNEL_GAUSS, 0.5f).x);
+        values[std::size_t(i)] =
+            double(shader
+                       .at({{0, y, 0}, {0, 0, 1}, glm::normalize(vec3(0, 0.5f, 1)), vec3(2.0f / n, 0, 0), vec3(0, -2.0f / n, 0)},
+                           KERNEL_GAUSS, 0.5f)
+                       .x);
         mean += values[std::size_t(i)] / n;
     }
     double best = 0, at = 0;

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/base/error.h"
 #include "limn/base/random.h"
 #include "limn/formulas/formulas.h"
 #include "limn/pattern/filament.h"
 #include "limn/raycast/fragment.h"
 #include "limn/surface/shapes.h"
-#include "limn/base/error.h"
 
 namespace limn {
 namespace {
@@ -33,7 +33,8 @@ template <class Brdf> float albedo(Brdf&& brdf)
     const int n = 400;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            const float cosine = (float(i) + 0.5f) / float(n), sine = std::sqrt(1 - cosine * cosine), turn = 2 * pi * (float(j) + 0.5f) / float(n);
+            const float cosine = (float(i) + 0.5f) / float(n), sine = std::sqrt(1 - cosine * cosine),
+                        turn = 2 * pi * (float(j) + 0.5f) / float(n);
             sum += brdf(vec3(sine * std::cos(turn), sine * std::sin(turn), cosine)) * cosine;
         }
     return sum * 2 * pi / float(n * n);
@@ -61,7 +62,8 @@ TEST(Checklist6, ModifiedPhongHasItsPeakIsReciprocalAndKeepsEnergy)
     EXPECT_NEAR(rho_d / pi + rho_s * phong_lobe(up, at_angle(40), at_angle(40, 180), m), rho_d / pi + rho_s * (m + 2) / (2 * pi), 1e-3f);
     for (int i = 0; i < 100; ++i) {
         Random random(1, std::uint64_t(i));
-        const vec3 a = at_angle(float(random.uniform(0, 89)), float(random.uniform(0, 360))), b = at_angle(float(random.uniform(0, 89)), float(random.uniform(0, 360)));
+        const vec3 a = at_angle(float(random.uniform(0, 89)), float(random.uniform(0, 360))),
+                   b = at_angle(float(random.uniform(0, 89)), float(random.uniform(0, 360)));
         EXPECT_NEAR(phong_lobe(up, a, b, 20), phong_lobe(up, b, a, 20), 2e-5f);
     }
     for (const float angle : {0.0f, 30.0f, 60.0f, 85.0f})
@@ -81,7 +83,8 @@ template <class Lobe> float width_of(Lobe&& lobe)
 TEST(Checklist7, ModifiedBlinnPhongIsAsWideAsPhongWithAQuarterOfTheExponent)
 {
     EXPECT_NEAR(blinn_phong_lobe(up, at_angle(30), at_angle(30, 180), 100), 108 / (8 * pi), 1e-3f);
-    const float blinn = width_of([](const vec3& v) { return blinn_phong_lobe(up, up, v, 100); }), phong = width_of([](const vec3& v) { return phong_lobe(up, up, v, 25); });
+    const float blinn = width_of([](const vec3&v) { return blinn_phong_lobe(up, up, v, 100); }),
+                phong = width_of([](const vec3&v) { return phong_lobe(up, up, v, 25); });
     EXPECT_NEAR(blinn / phong, 1, 0.05f);
 }
 
@@ -145,7 +148,9 @@ TEST(Ggx, AmbientShareIsTheAlbedoOfTheLobe)
     for (const float alpha : {0.15f, 0.4f, 0.8f})
         for (const float angle : {0.0f, 45.0f, 70.0f}) {
             const vec3 v = at_angle(angle);
-            const float exact = albedo([&](const vec3& l) { return ggx_lobe(up, {1, 0, 0}, l, v, alpha, alpha) * schlick(0.04f, glm::dot(v, glm::normalize(l + v))); });
+            const float exact = albedo([&](const vec3& l) {
+                return ggx_lobe(up, {1, 0, 0}, l, v, alpha, alpha) * schlick(0.04f, glm::dot(v, glm::normalize(l + v)));
+            });
             EXPECT_NEAR(ggx_ambient(0.04f, alpha, v.z), exact, 0.02f) << alpha << " " << angle;
         }
 }

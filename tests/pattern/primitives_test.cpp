@@ -27,7 +27,8 @@ TEST(Checklist3, StepFractAndSmoothstepAreThoseOfTheSpecification)
 
 TEST(Checklist25, TheGeneratorGivesTheNumbersOfTheSpecification)
 {
-    const std::uint32_t expected[2][8] = {{49, 22102, 59391, 64508, 64349, 26226, 36299, 57144}, {3174, 22863, 12684, 53805, 40834, 7707, 32712, 54425}};
+    const std::uint32_t expected[2][8] = {{49, 22102, 59391, 64508, 64349, 26226, 36299, 57144},
+                                          {3174, 22863, 12684, 53805, 40834, 7707, 32712, 54425}};
     for (std::uint32_t seed = 0; seed < 2; ++seed) {
         std::uint32_t state = seed;
         for (const std::uint32_t number : expected[seed]) {
@@ -87,7 +88,8 @@ TEST(Pulses, BoxMeansAgreeWithTheSpecificationAndWithSamples)
 {
     for (int i = 0; i < 50; ++i) {
         Random random(3, std::uint64_t(i));
-        const float a = float(random.uniform(0.5, 3)), b = a * float(random.uniform(0.3, 1)), duty = float(random.uniform(0.1, 0.9)), x = float(random.uniform(-3, 3));
+        const float a = float(random.uniform(0.5, 3)), b = a * float(random.uniform(0.3, 1)), duty = float(random.uniform(0.1, 0.9)),
+                    x = float(random.uniform(-3, 3));
         const Blur blur = blur_of(KERNEL_BOX, a, b);
         const double wanted = by_samples([&](double at) { return at - std::floor(at) < double(duty) ? 1.0 : 0.0; }, blur, double(x));
         EXPECT_NEAR(double(pulse_box_mean(x, duty, a, b)), wanted, 1.5e-3);
@@ -102,7 +104,10 @@ TEST(PeriodicBlur, AgreesWithSamplesFromNarrowToWide)
         const float size = float(std::exp(random.uniform(std::log(0.003), std::log(2.0)))), x = float(random.uniform(-2, 2));
         const Blur blur = i % 2 == 0 ? blur_of(KERNEL_GAUSS, size, 0) : blur_of(KERNEL_BOX, size, size * float(random.uniform()));
         const auto saw = [](double at) { return at - std::floor(at) - 0.5; };
-        const auto parabola = [](double at) { const double f = at - std::floor(at); return f * f - f + 1.0 / 6; };
+        const auto parabola = [](double at) {
+            const double f = at - std::floor(at);
+            return f * f - f + 1.0 / 6;
+        };
         const vec2 blurred = blurred_saw(x, blur);
         EXPECT_NEAR(double(blurred.x), by_samples(saw, blur, double(x)), 1.5e-3) << size;
         EXPECT_NEAR(double(blurred.y), by_samples(parabola, blur, double(x)), 2e-4) << size;
@@ -124,12 +129,14 @@ TEST(PeriodicBlur, SharesOfStretchesAndTheirMiddlesAgreeWithSamples)
 {
     for (int i = 0; i < 40; ++i) {
         Random random(9, std::uint64_t(i));
-        const float size = float(std::exp(random.uniform(std::log(0.02), std::log(1.5)))), x = float(random.uniform(-2, 2)), length = float(random.uniform(0.1, 0.9));
+        const float size = float(std::exp(random.uniform(std::log(0.02), std::log(1.5)))), x = float(random.uniform(-2, 2)),
+                    length = float(random.uniform(0.1, 0.9));
         const Blur blur = blur_of(i % 2 == 0 ? KERNEL_GAUSS : KERNEL_BOX, size, i % 2 == 0 ? 0 : 0.5f * size);
         const Stretch s = stretch_under(blurred_saw(x, blur), blurred_saw(x - length, blur), length, blur);
         const auto in = [&](double at) { return at - std::floor(at) < double(length); };
         const double weight = by_samples([&](double at) { return in(at) ? 1.0 : 0.0; }, blur, double(x));
-        const double moment = by_samples([&](double at) { return in(at) ? at - std::floor(at) - 0.5 * double(length) : 0.0; }, blur, double(x));
+        const double moment =
+            by_samples([&](double at) { return in(at) ? at - std::floor(at) - 0.5 * double(length) : 0.0; }, blur, double(x));
         EXPECT_NEAR(double(s.weight), weight, 1.5e-3);
         if (weight > 0.02) {
             EXPECT_NEAR(double(s.middle), moment / weight, 1e-2);

@@ -13,7 +13,10 @@ namespace {
 using namespace formulas;
 
 /// The seed's cloth: 200 x 200 cells around, or so many times coarser.
-ThreadPattern cloth(float coarser = 1, int woven = 0) { return {0.003f * coarser, 0.002f * coarser, vec3(0.2f, 0.4f, 0.7f), 0.3f, 20, -1, 0, woven}; }
+ThreadPattern cloth(float coarser = 1, int woven = 0)
+{
+    return {0.003f * coarser, 0.002f * coarser, vec3(0.2f, 0.4f, 0.7f), 0.3f, 20, -1, 0, woven};
+}
 
 TEST(Checklist15, DirectionsHaveThePlacesOfTheSpecification)
 {
@@ -30,7 +33,8 @@ TEST(Checklist15, TheSeamDoesNotShow)
     const ThreadShader shader = {cloth(10), {{{0, 0, 1}, vec3(2), 0, {0, 1, 0}, vec3(0.2f), vec3(0.2f)}, {}, {}, {}}, vec3(0), 1};
     for (float v = 0.3f; v < 0.7f; v += 0.0137f) {
         const auto at = [&](float u) {
-            const vec3 n = {std::sin(6.2831853f * u) * std::sin(3.1415927f * v), std::cos(3.1415927f * v), std::cos(6.2831853f * u) * std::sin(3.1415927f * v)};
+            const vec3 n = {std::sin(6.2831853f * u) * std::sin(3.1415927f * v), std::cos(3.1415927f * v),
+                            std::cos(6.2831853f * u) * std::sin(3.1415927f * v)};
             return shader.at({n, n, {0, 0, 1}, {0.004f, 0, 0}, {0, -0.004f, 0}}, KERNEL_GAUSS, 0.5f);
         };
         EXPECT_LT(glm::length(at(1e-5f) - at(-1e-5f)), 0.02f);
@@ -61,7 +65,9 @@ TEST(Checklist17, TangentsAreUnitVectorsOnTheSphereAndFiniteAtThePoles)
 {
     for (int i = 0; i < 2000; ++i) {
         Random random(8, std::uint64_t(i));
-        const vec3 n = i == 0 ? vec3(0, 1, 0) : i == 1 ? vec3(0, -1, 0) : glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal())));
+        const vec3 n = i == 0   ? vec3(0, 1, 0)
+                       : i == 1 ? vec3(0, -1, 0)
+                                : glm::normalize(vec3(dvec3(random.normal(), random.normal(), random.normal())));
         const vec3 u = level_tangent(n), v = upright_tangent(n);
         EXPECT_NEAR(glm::length(u), 1, 1e-5f);
         EXPECT_NEAR(glm::length(v), 1, 1e-5f);
@@ -94,7 +100,8 @@ struct View {
         return c;
     }();
     PatternCamera pattern = PatternCamera(camera, dvec3(0), 1, {});
-    ThreadShader shader = {cloth(20), {{glm::normalize(vec3(0.2f, 0.5f, 1)), vec3(2), 0, {0, 1, 0}, vec3(0.3f), vec3(0.2f)}, {}, {}, {}}, vec3(0), 1};
+    ThreadShader shader = {
+        cloth(20), {{glm::normalize(vec3(0.2f, 0.5f, 1)), vec3(2), 0, {0, 1, 0}, vec3(0.3f), vec3(0.2f)}, {}, {}, {}}, vec3(0), 1};
 };
 
 vec4 over(const vec4& front, const vec4& back) { return front + (1 - front.w) * back; }
@@ -108,10 +115,14 @@ TEST(Checklist18, NearAndFarSideAreBlendedInTheirOrderAndTheGroundShowsOnlyThrou
         for (int x = 0; x < 100; ++x) {
             const vec2 pixel = {float(x) + 0.5f, float(y) + 0.5f};
             vec3 near_place, far_place;
-            if (!view.pattern.on_sphere(vec3(0), 1, false, pixel, near_place) || !view.pattern.on_sphere(vec3(0), 1, true, pixel, far_place))
+            if (!view.pattern.on_sphere(vec3(0), 1, false, pixel, near_place) ||
+                !view.pattern.on_sphere(vec3(0), 1, true, pixel, far_place))
                 continue;
-            const auto side = [&](const vec3& place) { return view.shader.at({place, place, view.pattern.to_eye(place), vec3(0), vec3(0)}, KERNEL_NONE, 0); };
-            const vec4 front = side(near_place), back = side(far_place), all = over(front, over(back, ground)), swapped = over(back, over(front, ground));
+            const auto side = [&](const vec3& place) {
+                return view.shader.at({place, place, view.pattern.to_eye(place), vec3(0), vec3(0)}, KERNEL_NONE, 0);
+            };
+            const vec4 front = side(near_place), back = side(far_place), all = over(front, over(back, ground)),
+                       swapped = over(back, over(front, ground));
             EXPECT_GT(near_place.z, far_place.z);
             EXPECT_TRUE(front.w == 0 || front.w == 1);
             EXPECT_LT(glm::length(all - (front.w == 1 ? front : back.w == 1 ? back : ground)), 1e-6f);

@@ -85,7 +85,8 @@ TEST(PatternEnvironment, OfOneRadianceGivesEveryPlaceItsAlbedoTimesThatRadiance)
             for (int x = 10; x < 70; x += 6) {
                 if (std::hypot(x - 40, y - 40) > 30)
                     continue;
-                const vec3 wanted = linear_colour({0.5f, 0.4f, 0.3f}) * float(whole_environment / std::numbers::pi), seen = linear_at(image, x, y);
+                const vec3 wanted = linear_colour({0.5f, 0.4f, 0.3f}) * float(whole_environment / std::numbers::pi),
+                           seen = linear_at(image, x, y);
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(seen[c] / wanted[c], 1, 0.04) << x << " " << y << " from " << from.x;
             }
@@ -197,7 +198,8 @@ TEST(Checklist1, FacesOfAFacetedModelAreShadedByTheirOwnNormal)
     const vec3 to_light = glm::normalize(vec3(1, 2, 3));
     const auto shaded = [&](const vec3& n) { // light, sky and floor as a light far away has them
         const formulas::Illumination lit = {to_light, vec3(2.6f), 0.05f, {0, 1, 0}, vec3(0.4f), vec3(0.14f)};
-        return formulas::shown_light(formulas::reflected({formulas::FINISH_MATTE, linear_colour(vec3(0.6f)), 0, 1, 1, 1, 0}, n, {1, 0, 0}, {0, 0, 1}, 0, lit));
+        return formulas::shown_light(
+            formulas::reflected({formulas::FINISH_MATTE, linear_colour(vec3(0.6f)), 0, 1, 1, 1, 0}, n, {1, 0, 0}, {0, 0, 1}, 0, lit));
     };
     std::vector<int> corners(model.lines.faces.size(), 0); // one bit for each that pixels are near to
     int pixels = 0;

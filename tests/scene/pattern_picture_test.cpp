@@ -48,7 +48,8 @@ double band_direction(const Image& image)
     dvec2 twice(0); // of the doubled angle, so that both ways agree
     for (int y = image.height / 4; y < 3 * image.height / 4; ++y)
         for (int x = image.width / 4; x < 3 * image.width / 4; ++x) {
-            const double gx = double(image.at(x + 1, y)[1] - image.at(x - 1, y)[1]), gy = double(image.at(x, y + 1)[1] - image.at(x, y - 1)[1]);
+            const double gx = double(image.at(x + 1, y)[1] - image.at(x - 1, y)[1]),
+                         gy = double(image.at(x, y + 1)[1] - image.at(x, y - 1)[1]);
             twice += dvec2(gy * gy - gx * gx, 2 * gx * gy);
         }
     return 0.5 * glm::degrees(std::atan2(twice.y, twice.x));

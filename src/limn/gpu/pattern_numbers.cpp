@@ -59,11 +59,13 @@ std::string macro(const char* name, int value) { return fmt::format("#define {} 
 struct KindText {
     PatternProgramText operator()(const LayerShader& s) const
     {
-        return {"pattern_layers.frag", macro("LAYER_MODEL", s.pattern.model) + macro("LAYER_TABLE", !s.stack.tops().empty()) + macro("FINISH_MODEL", s.finish.model) + macro("CUSPS", cusps)};
+        return {"pattern_layers.frag", macro("LAYER_MODEL", s.pattern.model) + macro("LAYER_TABLE", !s.stack.tops().empty()) +
+                                           macro("FINISH_MODEL", s.finish.model) + macro("CUSPS", cusps)};
     }
     PatternProgramText operator()(const BrickShader& s) const
     {
-        return {"pattern_bricks.frag", macro("BRICK_AXES", s.pattern.axes) + macro("BRICK_BOND", s.pattern.bond) + macro("FINISH_MODEL", s.finish.model)};
+        return {"pattern_bricks.frag",
+                macro("BRICK_AXES", s.pattern.axes) + macro("BRICK_BOND", s.pattern.bond) + macro("FINISH_MODEL", s.finish.model)};
     }
     PatternProgramText operator()(const ThreadShader& s) const { return {"pattern_thread.frag", macro("WOVEN", s.pattern.woven)}; }
     bool cusps;
@@ -100,8 +102,8 @@ PackedPatterns packed_patterns(const PatternPaint& paint, const Camera& camera, 
 PatternProgramText program_text(const PatternPaint& paint)
 {
     PatternProgramText text = std::visit(KindText{paint.cusps}, paint.patterns.front().lit.front());
-    text.macros += macro("TABLE_WIDTH", table_width) + macro("OWN_PATTERNS", paint.patterns.size() > 1) + macro("PATTERN_KERNEL", paint.kernel) +
-                   macro("PATTERN_SAMPLED", !paint.samples.empty() && !paint.cusps);
+    text.macros += macro("TABLE_WIDTH", table_width) + macro("OWN_PATTERNS", paint.patterns.size() > 1) +
+                   macro("PATTERN_KERNEL", paint.kernel) + macro("PATTERN_SAMPLED", !paint.samples.empty() && !paint.cusps);
     return text;
 }
 

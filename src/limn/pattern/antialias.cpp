@@ -2,7 +2,8 @@
 
 namespace limn {
 
-vec4 supersample_sphere(const ThreadShader& shader, const PatternCamera& camera, bool far_side, const vec2& pixel, std::span<const vec2> samples)
+vec4 supersample_sphere(const ThreadShader& shader, const PatternCamera& camera, bool far_side, const vec2& pixel,
+                        std::span<const vec2> samples)
 {
     vec4 sum = vec4(0);
     for (const vec2& offset : samples) {

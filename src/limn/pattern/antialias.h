@@ -8,9 +8,8 @@
 namespace limn {
 
 /// Mean over samples of a pixel, each on the plane around the spot, as the seed has it: the line of sight and the light are those of the sample.
-template <class Shader>
-vec4 supersample(const Shader& shader, const PatternCamera& camera, const PatternSpot& spot, const vec2& pixel, std::span<const vec2> samples,
-                 float share = 1)
+template <class Shader> vec4 supersample(const Shader& shader, const PatternCamera& camera, const PatternSpot& spot, const vec2& pixel,
+                                         std::span<const vec2> samples, float share = 1)
 {
     vec4 sum = vec4(0);
     for (const vec2& offset : samples) {
@@ -21,6 +20,7 @@ vec4 supersample(const Shader& shader, const PatternCamera& camera, const Patter
 }
 
 /// The same on the near or far side of a sphere; samples that miss it are transparent.
-vec4 supersample_sphere(const ThreadShader& shader, const PatternCamera& camera, bool far_side, const vec2& pixel, std::span<const vec2> samples);
+vec4 supersample_sphere(const ThreadShader& shader, const PatternCamera& camera, bool far_side, const vec2& pixel,
+                        std::span<const vec2> samples);
 
 } // namespace limn

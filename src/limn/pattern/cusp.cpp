@@ -9,7 +9,8 @@ namespace limn {
 
 vec3 cusp_colour(float share)
 {
-    static constexpr std::array<float, 3> stops[] = {{0.16f, 0.24f, 0.55f}, {0.12f, 0.49f, 0.66f}, {0.25f, 0.68f, 0.5f}, {0.94f, 0.86f, 0.36f}, {0.93f, 0.52f, 0.22f}, {0.75f, 0.15f, 0.16f}};
+    static constexpr std::array<float, 3> stops[] = {{0.16f, 0.24f, 0.55f}, {0.12f, 0.49f, 0.66f}, {0.25f, 0.68f, 0.5f},
+                                                     {0.94f, 0.86f, 0.36f}, {0.93f, 0.52f, 0.22f}, {0.75f, 0.15f, 0.16f}};
     constexpr int last = int(std::size(stops)) - 1;
     const float place = std::clamp(share, 0.0f, 1.0f) * float(last);
     const int k = std::min(int(place), last - 1);
@@ -17,7 +18,10 @@ vec3 cusp_colour(float share)
     return glm::mix(colour(stops[k]), colour(stops[k + 1]), place - float(k));
 }
 
-std::string CuspHistogram::line() const { return fmt::format("cusps to {:.3g} mm, mean {:.3g}, half of the surface below {:.3g}", most, mean, middle); }
+std::string CuspHistogram::line() const
+{
+    return fmt::format("cusps to {:.3g} mm, mean {:.3g}, half of the surface below {:.3g}", most, mean, middle);
+}
 
 CuspHistogram cusp_histogram(const std::vector<float>& heights, const std::vector<float>& areas, double most, int bins)
 {

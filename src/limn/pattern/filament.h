@@ -9,10 +9,10 @@ namespace limn {
 
 /// A printing material as data.
 struct Filament {
-    std::string_view name;  ///< "pla-grey"
-    vec3 colour;            ///< encoded (sRGB), of a thick wall in white light
-    float along, across;    ///< GGX roughness (alpha) along and across the beads
-    float index;            ///< of refraction
+    std::string_view name; ///< "pla-grey"
+    vec3 colour;           ///< encoded (sRGB), of a thick wall in white light
+    float along, across;   ///< GGX roughness (alpha) along and across the beads
+    float index;           ///< of refraction
 };
 
 /// Every preset: PLA, PETG, silk and matte PLA in several colours.

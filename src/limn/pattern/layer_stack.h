@@ -34,7 +34,7 @@ public:
     const std::vector<float>& tops() const { return tops_; }
 
 private:
-    std::vector<float> tops_; ///< of the layers that differ from those above, lowest first
+    std::vector<float> tops_;       ///< of the layers that differ from those above, lowest first
     float bottom_ = 0, height_ = 0; ///< height of all above
 };
 

@@ -68,7 +68,10 @@ OptionRow<O> direction_row()
             throw Error::Input(fmt::format("--{}: {} is no direction", name, text));
         options.direction = direction;
     };
-    auto get = [](const O& options) { return options.direction ? fmt::format("{},{},{}", options.direction->x, options.direction->y, options.direction->z) : std::string("up"); };
+    auto get = [](const O& options) {
+        return options.direction ? fmt::format("{},{},{}", options.direction->x, options.direction->y, options.direction->z)
+                                 : std::string("up");
+    };
     return {name, "", "x,y,z|up", "layers follow each other along it; also x, y, z, -x, -y, -z", set, get, OptionKind::vector};
 }
 
@@ -116,25 +119,39 @@ OptionRow<O> turn_row()
 const OptionTable<PatternOptions>& pattern_option_table()
 {
     static const OptionTable<PatternOptions> table = {
-        choice_row<O, PatternKind>("material", {{"plain", PatternKind::plain}, {"layers", PatternKind::layers}, {"bricks", PatternKind::bricks}, {"thread", PatternKind::thread}},
+        choice_row<O, PatternKind>("material",
+                                   {{"plain", PatternKind::plain},
+                                    {"layers", PatternKind::layers},
+                                    {"bricks", PatternKind::bricks},
+                                    {"thread", PatternKind::thread}},
                                    "what surfaces are made of: layers of a 3D print, bricks, threads around the middle", &O::kind),
         length_row("layer-height", 0.001, 1000, "of a print; also 200um, 0.01in", &O::layer_height),
         length_row("first-layer", 0, 1000, "height of the lowest layer; 0: as the others", &O::first_layer),
         direction_row(),
-        choice_row<O, LayerModel>("layer-model", {{"bead", LayerModel::bead}, {"slope", LayerModel::slope}, {"seed", LayerModel::seed}, {"soft", LayerModel::soft}, {"voxel", LayerModel::voxel}},
-                                  "rounded steps, flat ones, or those of the study behind them: hard, soft, or along two axes", &O::layer_model),
+        choice_row<O, LayerModel>("layer-model",
+                                  {{"bead", LayerModel::bead},
+                                   {"slope", LayerModel::slope},
+                                   {"seed", LayerModel::seed},
+                                   {"soft", LayerModel::soft},
+                                   {"voxel", LayerModel::voxel}},
+                                  "rounded steps, flat ones, or those of the study behind them: hard, soft, or along two axes",
+                                  &O::layer_model),
         number_row("bead-bulge", "", 0.02, 2, "how far beads stand out, by half their height", &O::bulge),
         length_row("soft-low", -1000, 1000, "where soft steps begin", &O::soft_low),
         length_row("soft-high", -1000, 1000, "where they end", &O::soft_high),
         number_row("variety", "", 0, 1, "how much layers and bricks differ in colour", &O::variety),
-        choice_row<O, PrintShow>("show", {{"print", PrintShow::print}, {"cusp", PrintShow::cusp}}, "the print, or how far its steps stand out of the model", &O::show),
+        choice_row<O, PrintShow>("show", {{"print", PrintShow::print}, {"cusp", PrintShow::cusp}},
+                                 "the print, or how far its steps stand out of the model", &O::show),
         number_row("overhang", "degrees", 0, 89, "marks what hangs over by more than this from upright; 0: nothing", &O::overhang),
         choice_row<O, char>("units", {{"auto", 'a'}, {"mm", 'm'}, {"cm", 'c'}, {"m", 'M'}, {"in", 'i'}},
                             "of the models' lengths; auto: mm for stl and 3mf, m for gltf and glb, others become 100 mm long", &O::units),
         filament_row(),
         own_colour_row(),
         choice_row<O, PatternReflection>("reflection",
-                                         {{"filament", PatternReflection::filament}, {"phong", PatternReflection::phong}, {"blinn-phong", PatternReflection::blinn_phong}, {"matte", PatternReflection::matte}},
+                                         {{"filament", PatternReflection::filament},
+                                          {"phong", PatternReflection::phong},
+                                          {"blinn-phong", PatternReflection::blinn_phong},
+                                          {"matte", PatternReflection::matte}},
                                          "as the filament does (GGX), or modified Phong, modified Blinn-Phong, none", &O::reflection),
         number_row("specular", "", 0, 1, "strength of both Phong models", &O::specular),
         number_row("exponent", "", 1, 10000, "of both Phong models", &O::exponent),
@@ -153,15 +170,23 @@ const OptionTable<PatternOptions>& pattern_option_table()
         number_row("thread-specular", "", 0, 10, "strength of their highlights", &O::thread_specular),
         number_row("thread-exponent", "", 1, 1000, "of their highlights", &O::thread_exponent),
         switch_row("woven", "threads pass over each other in turn; no: level ones are always above", &O::woven),
-        switch_row("mirror-cone", "highlights of threads are on the mirror cone of the light; no: on its own side, as the study prints it", &O::mirror_cone),
-        choice_row<O, PatternFilter>("pattern-filter",
-                                     {{"gauss", PatternFilter::gauss}, {"box", PatternFilter::box}, {"even", PatternFilter::even}, {"seed", PatternFilter::seed}, {"none", PatternFilter::off}},
-                                     "what is finer than a pixel: in closed form (gauss, box), by samples (even; seed: those of the study), or not at all", &O::filter),
+        switch_row("mirror-cone", "highlights of threads are on the mirror cone of the light; no: on its own side, as the study prints it",
+                   &O::mirror_cone),
+        choice_row<O, PatternFilter>(
+            "pattern-filter",
+            {{"gauss", PatternFilter::gauss},
+             {"box", PatternFilter::box},
+             {"even", PatternFilter::even},
+             {"seed", PatternFilter::seed},
+             {"none", PatternFilter::off}},
+            "what is finer than a pixel: in closed form (gauss, box), by samples (even; seed: those of the study), or not at all",
+            &O::filter),
         number_row("filter-width", "px", 0.05, 8, "standard deviation of gauss and even", &O::filter_width),
         choice_row<O, int>("filter-box", {{"1", 1}, {"2", 2}}, "side of box and seed, px", &O::filter_box),
         number_row("pattern-samples", "", 1, 4096, "of even and seed, for a pixel", &O::pattern_samples),
         number_row("sample-seed", "", 0, 65535, "of the seed's generator", &O::sample_seed),
-        choice_row<O, bool>("pattern-with", {{"world", false}, {"object", true}}, "what the pattern stays with when objects move", &O::with_object),
+        choice_row<O, bool>("pattern-with", {{"world", false}, {"object", true}}, "what the pattern stays with when objects move",
+                            &O::with_object),
         turn_row(),
     };
     return table;

@@ -32,9 +32,15 @@ public:
     /// Direction of the line of sight through a place of the picture, of any length; its depth is 1.
     vec3 sight(const vec2& pixel) const { return formulas::pattern_sight(eye_, pixel); }
     /// What a pattern has to know of a spot. Positions and steps are in this frame.
-    formulas::PatternPoint point(const PatternSpot& spot) const { return formulas::seen_point(eye_, spot.position, spot.normal, spot.face_normal, spot.to_eye); }
+    formulas::PatternPoint point(const PatternSpot& spot) const
+    {
+        return formulas::seen_point(eye_, spot.position, spot.normal, spot.face_normal, spot.to_eye);
+    }
     /// The place of the plane around a spot that another place of the picture shows; the spot itself where there is none.
-    vec3 on_plane(const PatternSpot& spot, const vec2& pixel, const vec2& other) const { return formulas::plane_place(eye_, spot.position, spot.face_normal, pixel, other); }
+    vec3 on_plane(const PatternSpot& spot, const vec2& pixel, const vec2& other) const
+    {
+        return formulas::plane_place(eye_, spot.position, spot.face_normal, pixel, other);
+    }
     /// The near or far place of a sphere that a place of the picture shows. @return false where it shows none
     bool on_sphere(const vec3& centre, float radius, bool far_side, const vec2& pixel, vec3& place) const;
     vec3 to_eye(const vec3& position) const { return formulas::way_to_eye(eye_, position); }

@@ -10,10 +10,10 @@ namespace limn {
 
 /// The light of a pattern, in its frame: from far away, or from a place. `share` below is how much of it nothing hides.
 struct PatternLight {
-    formulas::Illumination lighting;      ///< of a light far away; the surroundings
-    std::optional<vec3> place;        ///< of a point light
-    vec3 intensity = vec3(0);         ///< of it, W/sr
-    vec3 falloff = vec3(0, 0, 1);     ///< of it: 1 / (a + b d + c d^2)
+    formulas::Illumination lighting; ///< of a light far away; the surroundings
+    std::optional<vec3> place;       ///< of a point light
+    vec3 intensity = vec3(0);        ///< of it, W/sr
+    vec3 falloff = vec3(0, 0, 1);    ///< of it: 1 / (a + b d + c d^2)
 
     /// @param share  of the light that nothing hides
     formulas::Illumination at(const vec3& position, float share = 1) const

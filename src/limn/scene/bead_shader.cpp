@@ -12,7 +12,7 @@ const vec3 up = {0, 0, 1};
 constexpr float floor_from = 0.9f;         ///< of the normal, upright: treads are as wide as a bead from there on
 constexpr float mixed_until = 1.5f;        ///< times the detail, from where on beads are drawn one by one alone
 constexpr float from_behind = 0.25f;       ///< facing, below which steps come to be seen from behind: the filter knows only treads there
-constexpr float furthest_shift = 4;       ///< of a bead from the one that hides something of it
+constexpr float furthest_shift = 4;        ///< of a bead from the one that hides something of it
 constexpr float rare_layers = 40;          ///< pixels from step to step: a pixel in a floor that sees none
 constexpr float corner_area = 0.21460184f; ///< 1 - pi/4
 
@@ -61,7 +61,8 @@ BeadShader::Groove BeadShader::groove(const SeenBead& seen) const
         const BeadHit hit = print_.scene.closest({from, towards, 0, reach});
         if (!hit)
             return {};
-        const vec3 middle = from + hit.distance * towards - print_.scene.beads()[hit.bead].round() * hit.normal, own = seen.position - shape.round() * n;
+        const vec3 middle = from + hit.distance * towards - print_.scene.beads()[hit.bead].round() * hit.normal,
+                   own = seen.position - shape.round() * n;
         return {true, out, towards, glm::clamp(glm::dot(own - middle, out) / shape.round(), -furthest_shift, furthest_shift)};
     };
     const vec3 rise = n.z < 0 ? -up : up, level = vec3(n.x, n.y, 0);

@@ -46,9 +46,9 @@ public:
 
 private:
     struct Groove {
-        bool narrow = false;                 ///< false: the place is in the open
+        bool narrow = false;                   ///< false: the place is in the open
         vec3 out = vec3(0), towards = vec3(0); ///< out of it, and to the bead that is near, unit
-        float shift = 0; ///< how much further in that bead is
+        float shift = 0;                       ///< how much further in that bead is
     };
     Groove groove(const SeenBead& seen) const;
     formulas::PatternPoint point(const SeenBead& seen, const vec3& surface, const BeadShape& shape) const;

@@ -75,7 +75,8 @@ std::vector<PatternLight> environment_lights(const EnvironmentMap& map, const dv
             continue;
         const float angle = 1 / (drawn.density * float(count)); // solid, of what it stands for
         const vec3 strength = drawn.light * (environment_strength * angle / map.most_received());
-        lights.push_back(lone_light(glm::normalize(to_world * drawn.direction), strength, std::min(1.0f, std::sqrt(angle / std::numbers::pi_v<float>)), vec3(up)));
+        lights.push_back(lone_light(glm::normalize(to_world * drawn.direction), strength,
+                                    std::min(1.0f, std::sqrt(angle / std::numbers::pi_v<float>)), vec3(up)));
     }
     return lights;
 }
@@ -102,7 +103,8 @@ PatternFrame frame_of(const SeenScene& scene, const dmat3& axes, double factor, 
 BrickShader bricks_of(const PatternOptions& o)
 {
     const vec3 size = vec3(dvec3(o.brick_width, o.brick_height, o.brick_depth)), cell = size + float(o.mortar);
-    return {{cell, float(o.mortar), o.brick_solid ? 3 : 2, float(o.brick_relief) / cell, linear_colour(o.brick_colour), linear_colour(o.mortar_colour), float(3 * o.variety), o.brick_bond ? 1 : 0},
+    return {{cell, float(o.mortar), o.brick_solid ? 3 : 2, float(o.brick_relief) / cell, linear_colour(o.brick_colour),
+             linear_colour(o.mortar_colour), float(3 * o.variety), o.brick_bond ? 1 : 0},
             {FINISH_MATTE, vec3(1), 0, 1, 1, 1, 0},
             {}};
 }
@@ -112,7 +114,11 @@ ThreadShader thread_of(const PatternOptions& o)
     // Whole cells go around, so that there is no seam; an even number of them where threads take turns.
     const double wanted = 1 / (o.hole + o.thread), step = o.woven ? 2 : 1, around = std::max(step, step * std::round(wanted / step));
     const float hole = float(o.hole * wanted / around), thread = float(o.thread * wanted / around);
-    return {{hole, thread, linear_colour(o.thread_colour), float(o.thread_specular), float(o.thread_exponent), o.mirror_cone ? -1.0f : 1.0f, 1, o.woven ? 1 : 0}, {}, vec3(0), 1};
+    return {{hole, thread, linear_colour(o.thread_colour), float(o.thread_specular), float(o.thread_exponent), o.mirror_cone ? -1.0f : 1.0f,
+             1, o.woven ? 1 : 0},
+            {},
+            vec3(0),
+            1};
 }
 
 /// Axes whose y is a direction.
@@ -127,8 +133,14 @@ LayerShader layers_of(const SeenScene& scene, const PatternOptions& options, con
     const PrintStack print = print_stack(scene, options, place, part);
     const double mm = mm_in_frame(scene, place) / scale_of(transform_of(place, options, part));
     const int models[] = {LAYERS_BEAD, LAYERS_SLOPE, LAYERS_SEED, LAYERS_SOFT, LAYERS_VOXEL};
-    const LayerPattern pattern = {models[int(options.layer_model)], vec3(print.up),         float(options.soft_low / mm),           float(options.soft_high / mm),
-                                  float(options.bulge),             float(options.variety), vec3(axes_with_y(print.up)[0]), float(options.layer_height / mm)};
+    const LayerPattern pattern = {models[int(options.layer_model)],
+                                  vec3(print.up),
+                                  float(options.soft_low / mm),
+                                  float(options.soft_high / mm),
+                                  float(options.bulge),
+                                  float(options.variety),
+                                  vec3(axes_with_y(print.up)[0]),
+                                  float(options.layer_height / mm)};
     return {pattern, print_finish(options), {}, print.stack};
 }
 
@@ -146,10 +158,12 @@ Unlit unlit(const SeenScene& scene, const PatternOptions& options, const Pattern
     if (options.kind == PatternKind::bricks)
         return {bricks_of(options), frame_of(scene, axes, 1 / (longest_side(scene) * scale_of(transform)), dvec3(transform[3]))};
     const auto [low, high] = box_of(scene, part);
-    return {thread_of(options), frame_of(scene, axes * axes_with_y(place.up), 1 / scene.scale, scene.centre + scene.scale * dvec3(0.5f * (low + high)))};
+    return {thread_of(options),
+            frame_of(scene, axes * axes_with_y(place.up), 1 / scene.scale, scene.centre + scene.scale * dvec3(0.5f * (low + high)))};
 }
 
-PaintedPattern painted(const SeenScene& scene, const PatternOptions& options, const PatternPlace& place, const std::vector<PatternLight>& lights, std::optional<std::size_t> part)
+PaintedPattern painted(const SeenScene& scene, const PatternOptions& options, const PatternPlace& place,
+                       const std::vector<PatternLight>& lights, std::optional<std::size_t> part)
 {
     const Unlit pattern = unlit(scene, options, place, part);
     PaintedPattern result = {{}, pattern.frame};
@@ -194,7 +208,10 @@ std::optional<double> mm_per_unit(char units, std::string_view format)
     return std::nullopt;
 }
 
-double mm_in_frame(const SeenScene& scene, const PatternPlace& place) { return scene.scale * (place.mm_per_unit > 0 ? place.mm_per_unit : 100 / longest_side(scene)); }
+double mm_in_frame(const SeenScene& scene, const PatternPlace& place)
+{
+    return scene.scale * (place.mm_per_unit > 0 ? place.mm_per_unit : 100 / longest_side(scene));
+}
 
 double thickest_layer(const PatternOptions& options)
 {
@@ -214,8 +231,10 @@ PrintStack print_stack(const SeenScene& scene, const PatternOptions& options, co
     });
     const double mm = mm_in_frame(scene, place) / scale_of(transform);
     if (const double height = double(high - low) * mm, layer = thickest_layer(options); layer > height)
-        throw Error::Input(fmt::format("--layer-height: a layer of {:.4g} mm is higher than the print, which is {:.4g} mm along its direction", layer, height));
-    const LayerStack stack = options.layer_heights.empty() ? LayerStack(options.layer_height, 0, options.first_layer) : LayerStack(options.layer_heights, 0);
+        throw Error::Input(fmt::format(
+            "--layer-height: a layer of {:.4g} mm is higher than the print, which is {:.4g} mm along its direction", layer, height));
+    const LayerStack stack =
+        options.layer_heights.empty() ? LayerStack(options.layer_height, 0, options.first_layer) : LayerStack(options.layer_heights, 0);
     return {up, stack.scaled(1 / mm, double(low))};
 }
 
@@ -226,7 +245,8 @@ std::vector<PatternLight> pattern_lights(const SeenScene& scene, const Camera& c
     return {pattern_light(scene.centre, scene.scale, camera, shade, place.up)};
 }
 
-PatternPaint compose_pattern(const SeenScene& scene, const PatternOptions& options, const PatternPlace& place, const ShadeOptions& shade, const std::vector<PatternLight>& lights)
+PatternPaint compose_pattern(const SeenScene& scene, const PatternOptions& options, const PatternPlace& place, const ShadeOptions& shade,
+                             const std::vector<PatternLight>& lights)
 {
     check(shade, scene.part_count());
     PatternPaint paint;
@@ -251,7 +271,8 @@ PatternPaint compose_pattern(const SeenScene& scene, const PatternOptions& optio
         vec3 to_light(0);
         for (const PatternLight& light : lights)
             to_light += luminance(light.lighting.light) * (light.place ? glm::normalize(*light.place) : light.lighting.to_light);
-        paint.ground.emplace(plane, GroundShadow(scene, plane, glm::length(to_light) > 0 ? glm::normalize(to_light) : plane.up()), linear_colour(shade.ground->material.colour));
+        paint.ground.emplace(plane, GroundShadow(scene, plane, glm::length(to_light) > 0 ? glm::normalize(to_light) : plane.up()),
+                             linear_colour(shade.ground->material.colour));
     }
     return paint;
 }

@@ -12,9 +12,9 @@ namespace limn {
 
 /// What millimetres are in a scene, and how its objects were placed.
 struct PatternPlace {
-    double mm_per_unit = 0;         ///< of the world; 0: its longest side is taken as 100 mm
-    std::vector<dmat4> transforms;  ///< of the parts, for patterns that move with them; empty: none was moved
-    dvec3 up = dvec3(0, 1, 0);      ///< of the world, unit
+    double mm_per_unit = 0;        ///< of the world; 0: its longest side is taken as 100 mm
+    std::vector<dmat4> transforms; ///< of the parts, for patterns that move with them; empty: none was moved
+    dvec3 up = dvec3(0, 1, 0);     ///< of the world, unit
 };
 
 /// Millimetres of a unit of length: as `units` of the options says, or as files of a format have it (stl, 3mf: 1; gltf, glb: 1000). Nothing where
@@ -40,7 +40,8 @@ double thickest_layer(const PatternOptions& options);
 
 /// The light of a picture of patterns in the frame of the scene: one, or so many far ones as an environment is made of. Without any asked for it is a
 /// studio's: wide, from the upper left before the object.
-std::vector<PatternLight> pattern_lights(const SeenScene& scene, const Camera& camera, const ShadeOptions& shade, const PatternPlace& place);
+std::vector<PatternLight> pattern_lights(const SeenScene& scene, const Camera& camera, const ShadeOptions& shade,
+                                         const PatternPlace& place);
 
 /// All that is decided before the first pixel of a picture of patterns.
 /// @param lights  of it, not empty

@@ -15,8 +15,8 @@ namespace {
 
 using namespace formulas;
 
-constexpr int most_sides = 12;        ///< that are seen through holes, one behind the other
-constexpr float off_surface = 1e-3f;  ///< where lines to light begin: in the frame of the scene, whose objects are about 1 in radius
+constexpr int most_sides = 12;       ///< that are seen through holes, one behind the other
+constexpr float off_surface = 1e-3f; ///< where lines to light begin: in the frame of the scene, whose objects are about 1 in radius
 
 /// How many places of the light a pixel looks at, and which samples of openness it takes.
 struct LightSamples {
@@ -31,11 +31,14 @@ struct Painter {
     const ShadeOptions& shade;
     std::vector<PatternLight> lights; ///< in the frame of the scene
     FragmentTracer tracer;
-    Lighting lighting; ///< for openness
+    Lighting lighting;                  ///< for openness
     std::vector<PatternCamera> cameras; ///< of the patterns
-    std::vector<vec2> places;  ///< of the light, in a unit square around its middle
+    std::vector<vec2> places;           ///< of the light, in a unit square around its middle
 
-    std::size_t pattern_of(const Fragment& fragment) const { return paint.patterns.size() == 1 ? 0 : scene.part_of(fragment.object, fragment.triangle); }
+    std::size_t pattern_of(const Fragment& fragment) const
+    {
+        return paint.patterns.size() == 1 ? 0 : scene.part_of(fragment.object, fragment.triangle);
+    }
 
     /// How much of a light nothing hides, by `count` of its places.
     float unhidden(const PatternLight& light, const PatternSpot& spot, const vec2& pixel, std::size_t count) const
@@ -48,7 +51,8 @@ struct Painter {
     vec4 lit(const PatternShader& shader, const PatternCamera& camera, const PatternSpot& in_frame, const vec2& pixel, float share) const
     {
         const auto shaded = [&](const auto& s) {
-            return paint.samples.empty() ? s.at(camera.point(in_frame), paint.kernel, paint.width, share) : supersample(s, camera, in_frame, pixel, paint.samples, share);
+            return paint.samples.empty() ? s.at(camera.point(in_frame), paint.kernel, paint.width, share)
+                                         : supersample(s, camera, in_frame, pixel, paint.samples, share);
         };
         return std::visit(shaded, shader);
     }
@@ -56,7 +60,8 @@ struct Painter {
     vec4 through(std::size_t pattern, const PatternSpot& spot, const vec2& pixel, const LightSamples& samples) const
     {
         const PaintedPattern& painted = paint.patterns[pattern];
-        const PatternSpot in_frame = {painted.frame.point(spot.position), painted.frame.direction(spot.normal), painted.frame.direction(spot.face_normal), painted.frame.direction(spot.to_eye)};
+        const PatternSpot in_frame = {painted.frame.point(spot.position), painted.frame.direction(spot.normal),
+                                      painted.frame.direction(spot.face_normal), painted.frame.direction(spot.to_eye)};
         const std::size_t each = (samples.places - 1) / lights.size() + 1;
         vec4 colour(0);
         for (std::size_t k = 0; k < lights.size(); ++k) {
@@ -84,7 +89,8 @@ struct Painter {
     /// Whether a face hangs over so far that it needs support.
     bool hangs_over(std::size_t pattern, const Fragment& fragment) const
     {
-        return paint.overhang <= 1 && -glm::dot(fragment.face_normal, std::get<LayerShader>(paint.patterns[pattern].lit.front()).pattern.up) > paint.overhang;
+        return paint.overhang <= 1 &&
+               -glm::dot(fragment.face_normal, std::get<LayerShader>(paint.patterns[pattern].lit.front()).pattern.up) > paint.overhang;
     }
     vec3 backdrop(const dvec2& pixel) const
     {
@@ -140,19 +146,28 @@ void store(Image& image, int x, int y, const vec3& linear)
 
 } // namespace
 
-Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternOptions& options, const PatternPlace& place, const ShadeOptions& shade)
+Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternOptions& options, const PatternPlace& place,
+                    const ShadeOptions& shade)
 {
     const std::vector<PatternLight> lights = pattern_lights(scene, camera, shade, place);
     const PatternPaint paint = compose_pattern(scene, options, place, shade, lights);
     ShadeOptions openness = shade; // light is the pattern's own
     openness.wide.reset();
-    Painter painter = {scene, paint, shade, lights, FragmentTracer(scene, camera), Lighting(scene, openness), {}, even_samples(shade.light_samples, KERNEL_BOX, 1, vec2(0))};
+    Painter painter = {scene,
+                       paint,
+                       shade,
+                       lights,
+                       FragmentTracer(scene, camera),
+                       Lighting(scene, openness),
+                       {},
+                       even_samples(shade.light_samples, KERNEL_BOX, 1, vec2(0))};
     for (const PaintedPattern& pattern : paint.patterns)
         painter.cameras.emplace_back(camera, scene.centre, scene.scale, pattern.frame);
     Image image(camera.size, 3);
     const ivec2 size = camera.size;
     const std::vector<dvec2> rays = sample_pattern(shade.samples);
-    const std::uint32_t whole = std::uint32_t(shade.light_samples), part = (whole - 1) / std::uint32_t(rays.size()) + 1; // samples of light for a pixel, and for each of its rays
+    const std::uint32_t whole = std::uint32_t(shade.light_samples),
+                        part = (whole - 1) / std::uint32_t(rays.size()) + 1; // samples of light for a pixel, and for each of its rays
     const std::uint32_t per_pixel = whole + part * std::uint32_t(rays.size());
     std::vector<SeenPlace> places(std::size_t(size.x) * std::size_t(size.y), {vec3(0), vec3(0), 0});
     parallel_each(std::size_t(size.y), 2, [&](std::size_t row) {
@@ -160,8 +175,9 @@ Image paint_pattern(const SeenScene& scene, const Camera& camera, const PatternO
             const dvec2 pixel = {x + 0.5, double(row) + 0.5};
             const Fragment fragment = painter.tracer.at(pixel);
             if (fragment.hit())
-                places[row * std::size_t(size.x) + std::size_t(x)] = {fragment.position, seen_normal(fragment.face_normal, fragment.to_eye),
-                                                                      float(1 / (camera.pixels_per_unit(double(fragment.depth)) * scene.scale))};
+                places[row * std::size_t(size.x) + std::size_t(x)] = {
+                    fragment.position, seen_normal(fragment.face_normal, fragment.to_eye),
+                    float(1 / (camera.pixels_per_unit(double(fragment.depth)) * scene.scale))};
             store(image, x, int(row), painter.at(pixel, fragment, {whole, PixelSequence({x, int(row)}, per_pixel), {0, whole}}));
         }
     });
@@ -196,7 +212,8 @@ CuspHistogram print_cusps(const SeenScene& scene, const PatternOptions& options,
         const RayTriangles& t = scene.objects[o].triangles;
         for (std::size_t i = 0; i < t.triangles.size(); ++i) {
             const auto& [up, stack] = prints[options.with_object ? scene.part_of(std::uint32_t(o), std::uint32_t(i)) : 0];
-            const vec3 a = t.positions[t.triangles[i].x], b = t.positions[t.triangles[i].y], c = t.positions[t.triangles[i].z], n = glm::cross(b - a, c - a);
+            const vec3 a = t.positions[t.triangles[i].x], b = t.positions[t.triangles[i].y], c = t.positions[t.triangles[i].z],
+                       n = glm::cross(b - a, c - a);
             const float size = glm::length(n);
             if (!(size > 0))
                 continue;
