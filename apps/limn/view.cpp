@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -70,6 +71,11 @@ double bound_in_pixels(const std::string& text)
 std::unique_ptr<MovingTerrain> open_terrain(const ViewCommand& command, std::vector<std::string>& notes)
 {
     constexpr double megabyte = 1 << 20;
+    // Of models that no raster is named like.
+    const std::string ending = std::filesystem::path(command.file).extension().string();
+    if (constexpr const char* models[] = {".obj", ".ply", ".stl", ".off", ".glb", ".gltf", ".3mf", ".fbx", ".dae"};
+        std::find(std::begin(models), std::end(models), ending) != std::end(models))
+        throw Error::Input(fmt::format("{}: a window shows terrain; models are for 'limn draw' and 'limn render'", command.file));
     if (is_pyramid_file(command.file))
         return moving_pyramid(command.file, std::size_t(command.tile_memory * megabyte), command.settings.exaggerate);
     ReadHeightMapResult read = read_height_map_with_notes(command.file, command.read);
@@ -164,14 +170,14 @@ Subcommand add_view(CLI::App& limn)
     app->add_option("TERRAIN", command->file, "height map, as 'limn terrain' reads it, or a pyramid of 'limn terrain build' of any size");
     add_table_options(*app, read_height_map_option_table(), command->read, "Height map");
     app->add_option("--max-error", command->max_error,
-                    "how far samples may be from the mesh, in pixels; where that is not met yet, the ground is red")
+                    "how far samples may be from the mesh, in pixels; where that is not met yet, the ground is red (default 1px)")
         ->type_name("Xpx")
         ->group("Terrain");
-    app->add_option("--exaggerate", command->settings.exaggerate, "heights are multiplied by it")
+    app->add_option("--exaggerate", command->settings.exaggerate, "heights are multiplied by it (default 1)")
         ->type_name("X")
         ->check(CLI::Range(1e-6, 1e6))
         ->group("Terrain");
-    app->add_option("--tile-memory", command->tile_memory, "of a pyramid: memory for tiles, beside those of the coarsest level")
+    app->add_option("--tile-memory", command->tile_memory, "of a pyramid: memory for tiles, beside those of the coarsest level (default 256)")
         ->type_name("MB")
         ->check(CLI::Range(1.0, 1e6))
         ->group("Terrain");

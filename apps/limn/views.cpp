@@ -202,10 +202,10 @@ std::vector<Camera> framed_around(ViewOptions options, const Camera& camera, con
 void add_view_options(CLI::App& app, ViewOptions& options)
 {
     const std::string group = "Camera";
-    const auto text = [&](const char* name, std::string& value, const char* type, const char* help) {
+    const auto text = [&](const char* name, std::string& value, const char* type, const std::string& help) {
         app.add_option(name, value, help)->type_name(type)->group(group);
     };
-    text("--size", options.size, "WxH", "pixels of the picture, or of the whole sheet (default 1600x1200)");
+    text("--size", options.size, "WxH", fmt::format("pixels of the picture, or of the whole sheet (default {})", options.size.empty() ? "1600x1200" : options.size));
     app.add_option("--view", options.views,
                    fmt::format("front|back|left|right|top|bottom|iso or AZ,EL in degrees (default {}); several make one sheet", options.usual_view))
         ->type_name("VIEW")

@@ -168,6 +168,7 @@ TEST_F(View, RefusesWhatAWindowCannotDo)
     refused(path("t.tif") + " --max-error 5m", "--max-error 5m: a window's bound is in pixels; write 5px");
     refused(path("t.tif") + " --up-axis y", "--up-axis");
     refused(path("t.tif") + " --view top --view front", "--view");
+    refused(path("cage.obj"), "cage.obj: a window shows terrain");
     const ProgramResult missing = limn("view " + path("none.tif"));
     EXPECT_EQ(missing.exit_code, 1);
     EXPECT_NE(missing.errors.find("none.tif"), std::string::npos);

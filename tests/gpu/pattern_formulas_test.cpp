@@ -203,7 +203,11 @@ const Formula formulas_of_patterns[] = {
     BOTH("bead_frame, groove_ambient, groove_reflected", Illumination lit = lights(l, k); BeadFrame f = bead_frame(0.6f, k.y, n, t, lit); vec2 a = normalize(vec2(0.3f + k.x, 1.0f - 2.0f * k.z)); vec2 b = bead_normal(0.6f, a); vec3 ambient = groove_ambient(f, lit, a, b);
          bool sure = length(f.light) > 0.9f && length(vec2(dot(l, n), dot(l, t))) > 0.2f && length(vec2(dot(v, n), dot(v, t))) > 0.3f; r[0] = ambient.x; r[1] = sure ? f.soft : 0.0f; r[2] = sure ? f.light.y : 0.0f;
          r[3] = sure ? groove_reflected(f, plastic(FINISH_MATTE, k), b, 0.01f, a, normalize(a + vec2(0.0f, 0.1f)), v, ambient, lit).x : 0.0f; s[0] = 5.0f; s[1] = 5.0f; s[2] = 5.0f; s[3] = 5.0f;),
-    BOTH("bead_radiance, edge_radiance, tread_radiance", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
+    BOTH("reflected_in, edge_radiance, tread_radiance", Illumination lit = lights(l, k); BeadFrame f = bead_frame(0.6f, k.y, n, t, lit); BeadView b = bead_view(0.6f, 0.2f + k.x, abs(x.x), 0.2f + k.y, 0.2f + abs(x.y)); Finish matte = plastic(FINISH_MATTE, k);
+         bool sure = length(vec2(dot(l, n), dot(l, t))) > 0.2f && length(vec2(dot(v, n), dot(v, t))) > 0.3f; float tread = b.period - (b.to - b.from); r[0] = reflected_in(plastic(FINISH_GGX, k), n, t, v, 0.1f * k.y, lit, vec3(0.3f, 0.2f, 0.1f), k.z).x;
+         r[1] = sure ? edge_radiance(f, b, matte, v, mix(b.from, b.to, 0.2f + 0.6f * k.z), 0.05f, lit).x : 0.0f; r[2] = sure && tread > 0.05f ? tread_radiance(f, b, matte, v, b.to + (0.2f + 0.6f * k.w) * tread, 0.1f * tread, lit).x : 0.0f;
+         s[0] = 20.0f; s[1] = 5.0f; s[2] = 5.0f;),
+    BOTH("bead_radiance", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
          bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && length(vec2(v.x, v.y)) > 0.2f;
          r[0] = sure ? bead_radiance(stack(LAYERS_BEAD), plastic(FINISH_GGX, k), p, place, g, lit).x : 0.0f; s[0] = 5.0f;),
     BOTH("corner_share, step_radiance", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && length(vec2(v.x, v.y)) > 0.2f && abs(v.z) > 0.1f;
