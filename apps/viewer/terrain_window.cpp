@@ -228,7 +228,7 @@ private:
     Clock::time_point last_time_ = Clock::now();
     double last_frame_ms_ = 0;
     int rest_ = 0; ///< frames since something happened
-    bool shows_panel_ = options_.panel;
+    bool shows_panel_ = true;
     Mesher mesher_; ///< last: it wakes the window
 };
 

@@ -16,7 +16,6 @@ struct TerrainWindowOptions {
     TerrainSettings settings;
     int frames = 0;          ///< the window closes after so many frames with a mesh; 0: when it is closed
     double turn_degrees = 0; ///< the camera goes around by so much with each of them
-    bool panel = true;
     std::string picture_stem = "view"; ///< key P writes stem-1.png, stem-2.png ... into the current folder
 };
 

@@ -45,7 +45,7 @@ public:
 
     /// What will be shown by end_frame(), RGB, rows from the top.
     limn::Image read() const;
-    void draw_panels() const; ///< over what is there: end_frame() calls it
+    void draw_panels() const; ///< over what is there; before end_frame()
 
 private:
     static void key_went(GLFWwindow* window, int key, int code, int action, int modifiers);

@@ -1,6 +1,4 @@
 #include "limn/scene/moving_terrain.h"
-
-#include <fstream>
 #include <unordered_map>
 
 #include <gtest/gtest.h>
@@ -131,19 +129,12 @@ TEST_F(MovingTerrains, GoOnWithoutATileThatCannotBeReadAndTryItAgain)
     const int level = facts.layout().top() - 1;
     const std::uint64_t at =
         facts.entry({level, ivec2(400, 1799 - 300) / facts.layout().tile_samples(level)}).offset + 100; // a place in the foreground
-    const auto flip = [&] {
-        std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
-        file.seekg(std::streamoff(at));
-        const int byte = file.get();
-        file.seekp(std::streamoff(at));
-        file.put(char(byte ^ 0x40));
-    };
-    flip();
+    flip_bit(path_, at);
     const auto pyramid = moving_pyramid(path_, std::size_t(256) << 20);
     const TerrainStep step = settle(*pyramid, camera(), 0.2);
     EXPECT_NE(step.fault.find("is damaged"), std::string::npos) << step.fault;
     EXPECT_GT(step.unmet, 0u);
-    flip();
+    flip_bit(path_, at);
     pyramid->retry();
     const TerrainStep again = settle(*pyramid, camera(), 0.2);
     EXPECT_EQ(again.fault, "");

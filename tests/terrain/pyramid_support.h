@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include <fmt/format.h>
@@ -22,6 +25,16 @@ inline HeightMap holey_terrain(int columns, int rows)
         }
     map.heights[map.index(columns - 1, rows / 4)] = map.heights[map.index(columns / 2, rows - 1)] = std::numeric_limits<float>::quiet_NaN();
     return map;
+}
+
+/// Damages a file by one bit at a byte, or mends it again.
+inline void flip_bit(const std::filesystem::path& path, std::uint64_t at)
+{
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(std::streamoff(at));
+    const int byte = file.get();
+    file.seekp(std::streamoff(at));
+    file.put(char(byte ^ 0x40));
 }
 
 } // namespace limn::test

@@ -1,7 +1,5 @@
 #include "limn/terrain/terrain_pyramid_view.h"
 
-#include <fstream>
-
 #include <gtest/gtest.h>
 
 #include "limn/base/error.h"
@@ -154,14 +152,7 @@ TEST_F(PyramidView, NamesTheTileThatCannotBeReadAndGoesOnWithoutIt)
     const TileId damaged = {pyramid_->layout().top() - 1, {0, 1}};
     const std::uint64_t at = pyramid_->entry(damaged).offset + 100;
     TerrainPyramidView view(*pyramid_);
-    const auto flip = [&] {
-        std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
-        file.seekg(std::streamoff(at));
-        const int byte = file.get();
-        file.seekp(std::streamoff(at));
-        file.put(char(byte ^ 0x40));
-    };
-    flip();
+    flip_bit(path_, at);
     try {
         view.finish(camera(0.1), {.pixels = 0.5});
         ADD_FAILURE() << "the tile was read";
@@ -173,7 +164,7 @@ TEST_F(PyramidView, NamesTheTileThatCannotBeReadAndGoesOnWithoutIt)
     EXPECT_FALSE(frame.fault.empty());
     EXPECT_FALSE(frame.is_met());
     expect_conforming(frame.leaves);
-    flip();
+    flip_bit(path_, at);
     view.retry();
     EXPECT_TRUE(view.finish(camera(0.1), {.pixels = 0.5}).is_met());
 }
