@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <nlohmann/json.hpp>
 
 #include "common.h"
@@ -15,6 +16,7 @@
 #include "limn/terrain/read_height_map.h"
 #include "limn/terrain/terrain_build.h"
 #include "limn/terrain/terrain_pyramid.h"
+#include "peak_memory.h"
 #include "subcommand.h"
 #include "table_options.h"
 #include "terrain_output.h"
@@ -41,7 +43,7 @@ struct ViewCommand {
     ViewOptions view;
     std::string max_error = "1px";
     TerrainSettings settings;
-    double tile_memory = 256; ///< MB
+    double tile_memory = 112; ///< MB: whatever is near by, all is within 512 MB with it on a software renderer
     int frames = 0;
     double turn = 0; ///< degrees a frame
 };
@@ -66,6 +68,13 @@ double bound_in_pixels(const std::string& text)
     if (!bound.in_pixels)
         throw Error::Input(fmt::format("--max-error {}: a window's bound is in pixels; write {}px", text, bound.value));
     return bound.value;
+}
+
+/// Tiles and meshes come and go on several threads, whose arenas would keep half as much again as is in use.
+void give_memory_back_at_once()
+{
+    mallopt(M_MMAP_THRESHOLD, 128 << 10);
+    mallopt(M_TRIM_THRESHOLD, 1 << 20);
 }
 
 std::unique_ptr<MovingTerrain> open_terrain(const ViewCommand& command, std::vector<std::string>& notes)
@@ -106,6 +115,7 @@ std::string report_json(const ViewCommand& command, const TerrainWindowReport& s
     json["meshes"] = {{"count", shown.mesh_ms.size()}, {"median_ms", median(shown.mesh_ms)}, {"most_ms", largest(shown.mesh_ms)}};
     json["last"] = {{"triangles", shown.triangles}, {"unmet", shown.unmet}, {"missing_tiles", shown.missing}};
     json["most_tile_bytes"] = shown.most_tile_bytes;
+    json["peak_memory"] = peak_memory();
     json["fault"] = shown.fault;
     json["pictures"] = shown.pictures;
     json["seconds"] = {{"total", seconds}};
@@ -132,6 +142,7 @@ void run(ViewCommand& command)
     if (command.file.empty())
         throw Error::Input("no terrain given; see 'limn view --help'");
     const Stopwatch watch;
+    give_memory_back_at_once();
     const std::vector<Output> outputs = checked_outputs(command.common, {"png"});
     check(command, outputs);
     command.settings.pixels = bound_in_pixels(command.max_error);
@@ -177,7 +188,8 @@ Subcommand add_view(CLI::App& limn)
         ->type_name("X")
         ->check(CLI::Range(1e-6, 1e6))
         ->group("Terrain");
-    app->add_option("--tile-memory", command->tile_memory, "of a pyramid: memory for tiles, beside those of the coarsest level (default 256)")
+    app->add_option("--tile-memory", command->tile_memory,
+                    "of a pyramid: memory for tiles, beside those of the coarsest level (default 112)")
         ->type_name("MB")
         ->check(CLI::Range(1.0, 1e6))
         ->group("Terrain");

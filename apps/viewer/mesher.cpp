@@ -17,15 +17,20 @@ void Mesher::ask(const MeshRequest& request)
         const std::lock_guard guard(lock_);
         wanted_ = request;
     }
-    asked_.notify_one();
+    changed_.notify_one();
 }
 
 std::optional<MeshAnswer> Mesher::take()
 {
-    const std::lock_guard guard(lock_);
-    if (fault_)
-        std::rethrow_exception(std::exchange(fault_, nullptr));
-    return std::exchange(answer_, std::nullopt);
+    std::optional<MeshAnswer> answer;
+    {
+        const std::lock_guard guard(lock_);
+        if (fault_)
+            std::rethrow_exception(std::exchange(fault_, nullptr));
+        answer = std::exchange(answer_, std::nullopt);
+    }
+    changed_.notify_one();
+    return answer;
 }
 
 void Mesher::work(const std::stop_token& stop)
@@ -35,7 +40,8 @@ void Mesher::work(const std::stop_token& stop)
             MeshRequest request = last_;
             {
                 std::unique_lock lock(lock_);
-                if (settled_ && !asked_.wait(lock, stop, [&] { return wanted_.has_value(); }))
+                // What came since an answer that nobody took yet has time.
+                if (!changed_.wait(lock, stop, [&] { return wanted_ || (!settled_ && !answer_); }))
                     return;
                 if (wanted_)
                     request = *std::exchange(wanted_, std::nullopt);
@@ -65,6 +71,8 @@ void Mesher::make(const MeshRequest& request)
     settled_ = answer.step.is_settled();
     {
         const std::lock_guard guard(lock_);
+        if (answer_) // nobody took it
+            answer.step = after_skipped(std::move(answer.step), std::move(answer_->step));
         answer_ = std::move(answer);
     }
     wake_();

@@ -15,6 +15,8 @@ struct MeshRequest {
     limn::ViewTolerance tolerance;
     double exaggerate = 1;
     std::size_t tries = 0; ///< counts how often what could not be read was to be tried again
+
+    bool operator==(const MeshRequest&) const = default;
 };
 
 /// A mesh with the request that it was made for.
@@ -43,7 +45,7 @@ private:
     std::unique_ptr<limn::MovingTerrain> terrain_;
     std::function<void()> wake_;
     std::mutex lock_;
-    std::condition_variable_any asked_;
+    std::condition_variable_any changed_;
     std::optional<MeshRequest> wanted_;
     std::optional<MeshAnswer> answer_;
     std::exception_ptr fault_;

@@ -32,13 +32,6 @@ gpu::TerrainPaint paint_of(const TerrainSettings& settings)
     return paint;
 }
 
-bool is_same_view(const MeshRequest& a, const MeshRequest& b)
-{
-    const Camera &p = a.camera, &q = b.camera;
-    return p.eye == q.eye && p.look == q.look && p.up == q.up && p.size == q.size && p.ortho_height == q.ortho_height &&
-           a.tolerance.pixels == b.tolerance.pixels && a.exaggerate == b.exaggerate && a.tries == b.tries;
-}
-
 /// The first of stem-1.png, stem-2.png ... that does not exist.
 std::string free_name(const std::string& stem)
 {
@@ -95,7 +88,7 @@ private:
         take_mesh();
         if (shows_panel_ && show_panel(settings_, facts()))
             ++tries_;
-        if (const MeshRequest now = request(); !is_same_view(now, wanted_)) {
+        if (const MeshRequest now = request(); !(now == wanted_)) {
             wanted_ = now;
             mesher_.ask(now);
             change();
@@ -156,8 +149,10 @@ private:
         std::optional<MeshAnswer> answer = mesher_.take();
         if (!answer)
             return;
-        painter_.take(answer->step.model);
-        answer->step.model = {}; // the device has it
+        if (answer->step.model)
+            painter_.take(*answer->step.model);
+        painter_.take(answer->step.light);
+        answer->step.model.reset(), answer->step.light = {}; // the device has them
         report_.mesh_ms.push_back(answer->milliseconds);
         report_.triangles = answer->step.triangles;
         report_.unmet = answer->step.unmet;
@@ -172,9 +167,8 @@ private:
         if (!shown_)
             return {{BoundStatus::Kind::following, "preparing ..."}, {}, false};
         const TerrainStep& step = shown_->step;
-        PanelFacts facts = {bound_status(step, settings_.pixels, is_same_view(shown_->request, wanted_)), {}, !step.fault.empty()};
-        facts.lines.push_back(
-            fmt::format("{} triangles, {:.1f} MB of tiles", step.triangles, double(step.tile_bytes) / (1 << 20)));
+        PanelFacts facts = {bound_status(step, settings_.pixels, shown_->request == wanted_), {}, !step.fault.empty()};
+        facts.lines.push_back(fmt::format("{} triangles, {:.1f} MB of tiles", step.triangles, double(step.tile_bytes) / (1 << 20)));
         facts.lines.push_back(fmt::format("{:.1f} ms a frame, {:.1f} ms the mesh", last_frame_ms_, shown_->milliseconds));
         if (step.under_ground > 0)
             facts.lines.push_back(fmt::format("the eye is {:.4g} m under the ground", step.under_ground));

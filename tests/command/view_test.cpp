@@ -1,11 +1,8 @@
-#include <csignal>
 #include <cstdlib>
 #include <memory>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include "command/command.h"
+#include "command/display.h"
 #include "limn/drawing/png.h"
 #include "limn/terrain/build_pyramid.h"
 #include "limn/terrain/write_height_map.h"
@@ -13,42 +10,6 @@
 
 namespace limn::test {
 namespace {
-
-/// A display of its own for windows (Xvfb), or none where that is not installed.
-class Display {
-public:
-    Display()
-    {
-        int ends[2];
-        if (pipe(ends) != 0)
-            return;
-        process_ = fork();
-        if (process_ == 0) {
-            dup2(ends[1], 3);
-            execlp("Xvfb", "Xvfb", "-displayfd", "3", "-screen", "0", "1024x768x24", "-nolisten", "tcp", static_cast<char*>(nullptr));
-            _exit(127);
-        }
-        close(ends[1]);
-        for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';)
-            number_ += c;
-        close(ends[0]);
-    }
-    ~Display()
-    {
-        if (process_ > 0) {
-            kill(process_, SIGTERM);
-            waitpid(process_, nullptr, 0);
-        }
-    }
-    Display(const Display&) = delete;
-    Display& operator=(const Display&) = delete;
-    bool is_there() const { return !number_.empty(); }
-    std::string name() const { return ":" + number_; }
-
-private:
-    pid_t process_ = -1;
-    std::string number_;
-};
 
 HeightMap hills(int columns, int rows)
 {
@@ -106,14 +67,14 @@ TEST_F(View, ShowsWhereTheBoundIsNotMetForWantOfTilesAndThatItIsWithThem)
 {
     NEEDS_DISPLAY();
     const ProgramResult first =
-        view(path("t.pyramid") + " --eye 1000,1000,400 --look 4000,4000,0 --size 640x480 --max-error 1px --tile-memory 1 --frames 3 -o " +
+        view(path("t.pyramid") + " --eye 1000,1000,400 --look 4000,4000,0 --size 640x480 --max-error 0.2px --tile-memory 1 --frames 3 -o " +
              path("first.png") + " --json");
     ASSERT_EQ(first.exit_code, 0) << first.errors;
     const auto begun = nlohmann::json::parse(first.output);
     EXPECT_GT(begun["last"]["unmet"], 0);
     EXPECT_EQ(begun["frames"]["unmet"], 3);
     EXPECT_GT(marked_pixels("first.png"), 100u);
-    EXPECT_NE(first.errors.find("not within 1px"), std::string::npos) << first.errors;
+    EXPECT_NE(first.errors.find("not within 0.2px"), std::string::npos) << first.errors;
 
     for (int frames = 20;; frames *= 3) { // as many as this machine needs to read the tiles
         const ProgramResult last =

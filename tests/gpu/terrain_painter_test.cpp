@@ -32,10 +32,15 @@ HeightMap smooth_hills(int columns, int rows)
 
 class TerrainPainting : public Gpu {
 protected:
-    Image paint(const HeightMap& map, const gpu::TerrainModel& model, const Camera& camera, const gpu::TerrainPaint& paint)
+    Image paint(const HeightMap& map, const TerrainStep& step, const Camera& camera, const gpu::TerrainPaint& paint)
     {
         painter_.emplace(map, PyramidLayout(make_lattice(map.columns, map.rows)));
-        painter_->take(model);
+        painter_->take(*step.model);
+        painter_->take(step.light);
+        return picture(camera, paint);
+    }
+    Image picture(const Camera& camera, const gpu::TerrainPaint& paint)
+    {
         target_.emplace(camera.size, std::vector{gpu::Format::rgba8});
         painter_->draw(*target_, camera, paint);
         const std::vector<vec4> pixels = target_->read_floats(0);
@@ -82,12 +87,12 @@ TEST_F(TerrainPainting, ShowsWhatRaysShow)
             const Lattice lattice = make_lattice(map.columns, map.rows);
             const NestedErrors errors = nest_errors(map, lattice, {.ranges = true});
             const Mesh mesh = terrain_mesh(map, lattice, triangles_in_view(map, errors, camera, {.pixels = 0.5}));
-            ASSERT_EQ(mesh.triangles.size(), step.model.triangles.size());
+            ASSERT_EQ(mesh.triangles.size(), step.model->triangles.size());
             gpu::TerrainPaint how;
             how.to_sun = sun_direction(options);
             if (plain)
                 how.plain = plain_ground;
-            const Image device = paint(map, step.model, camera, how), rays = paint_terrain(map, mesh, camera, options);
+            const Image device = paint(map, step, camera, how), rays = paint_terrain(map, mesh, camera, options);
             // Edges of the terrain fall on the other side of some pixels' centres.
             EXPECT_LT(part_that_differs(device, rays, 4 / 255.0f), 0.01) << orthographic << plain;
             EXPECT_GT(part_that_differs(device, Image(camera.size, 3, 1), 4 / 255.0f), 0.25);
@@ -100,15 +105,15 @@ TEST_F(TerrainPainting, MarksTheTrianglesThatMayBreakTheBound)
     const Camera camera = over(map);
     const auto terrain = moving_map(map);
     TerrainStep step = terrain->step(camera, {.pixels = 1});
-    const Image whole = paint(map, step.model, camera, {});
-    step.model.met = step.model.triangles.size() / 2;
-    const Image marked = paint(map, step.model, camera, {});
+    const Image whole = paint(map, step, camera, {});
+    step.model->met = step.model->triangles.size() / 2;
+    const Image marked = paint(map, step, camera, {});
     gpu::TerrainPaint unmarked;
     unmarked.marks = false;
-    EXPECT_EQ(paint(map, step.model, camera, unmarked).samples, whole.samples);
-    gpu::TerrainModel rest = step.model;
-    rest.triangles.erase(rest.triangles.begin(), rest.triangles.begin() + std::ptrdiff_t(step.model.met));
-    rest.met = rest.triangles.size();
+    EXPECT_EQ(paint(map, step, camera, unmarked).samples, whole.samples);
+    TerrainStep rest = step;
+    rest.model->triangles.erase(rest.model->triangles.begin(), rest.model->triangles.begin() + std::ptrdiff_t(step.model->met));
+    rest.model->met = rest.model->triangles.size();
     const Image alone = paint(map, rest, camera, {});
     std::size_t seen = 0, right = 0;
     const vec4 mark = formulas::unmet_mark();
@@ -135,7 +140,7 @@ TEST_F(TerrainPainting, TellsHowDeepTheGroundIs)
         camera.orthographic = orthographic;
         camera.ortho_height = 90;
         const auto terrain = moving_map(map);
-        paint(map, terrain->step(camera, {}).model, camera, {});
+        paint(map, terrain->step(camera, {}), camera, {});
         std::size_t hits = 0;
         for (const ivec2& pixel : {ivec2(160, 120), ivec2(100, 140), ivec2(200, 100)}) {
             const Camera::Ray ray = camera.ray(dvec2(pixel) + 0.5);
@@ -166,7 +171,7 @@ TEST_F(TerrainPainting, KeepsNearAndFarInOrder)
     camera.size = {200, 100};
     camera.fov_degrees = 2;
     const auto terrain = moving_map(map);
-    paint(map, terrain->step(camera, {.pixels = 0.1}).model, camera, {});
+    paint(map, terrain->step(camera, {.pixels = 0.1}), camera, {});
     // The foot of the step is 49.5 km away, and its slope hides what is behind.
     const std::optional<double> foot = painter_->depth_at(*target_, camera, {100, 49});
     ASSERT_TRUE(foot);
@@ -183,14 +188,38 @@ TEST_F(TerrainPainting, TakesCoarserNormalsWhereFinerOnesAreNotThere)
     Camera camera = over(map);
     const auto terrain = moving_map(map);
     TerrainStep step = terrain->step(camera, {.pixels = 0.5});
-    const Image fine = paint(map, step.model, camera, {});
+    const Image fine = paint(map, step, camera, {});
     const int top = PyramidLayout(make_lattice(map.columns, map.rows)).top();
-    ASSERT_TRUE(
-        std::any_of(step.model.normals.begin(), step.model.normals.end(), [&](const gpu::NormalTile& t) { return t.id.level < top; }));
-    std::erase_if(step.model.normals, [&](const gpu::NormalTile& t) { return t.id.level < top; });
-    const Image coarse = paint(map, step.model, camera, {});
+    gpu::TileLight& light = step.light;
+    ASSERT_TRUE(std::any_of(light.tiles.begin(), light.tiles.end(), [&](const TileId& id) { return id.level < top; }));
+    std::erase_if(light.tiles, [&](const TileId& id) { return id.level < top; });
+    std::erase_if(light.fresh, [&](const gpu::NormalTile& t) { return t.id.level < top; });
+    const Image coarse = paint(map, step, camera, {});
     EXPECT_GT(part_that_differs(fine, coarse, 0), 0.01);
     EXPECT_LT(part_that_differs(fine, coarse, 24 / 255.0f), 0.02);
+}
+
+// Of light that comes bit by bit, what is there stays when more room is made, and goes when it is not to be held any more.
+TEST_F(TerrainPainting, TakesLightInSteps)
+{
+    const HeightMap map = smooth_hills(700, 700);
+    const Camera camera = over(map);
+    const TerrainStep step = moving_map(map)->step(camera, {.pixels = 0.5});
+    const gpu::TileLight& light = step.light;
+    ASSERT_GT(light.fresh.size(), 5u);
+    const Image whole = paint(map, step, camera, {});
+    const std::size_t first = 3; // the coarsest level among them
+    gpu::TileLight few = {{}, {light.fresh.begin(), light.fresh.begin() + first}, first};
+    for (const gpu::NormalTile& tile : few.fresh)
+        few.tiles.push_back(tile.id);
+    TerrainStep begun = step;
+    begun.light = few;
+    const Image coarse = paint(map, begun, camera, {});
+    EXPECT_GT(part_that_differs(whole, coarse, 0), 0.01);
+    painter_->take(gpu::TileLight{light.tiles, {light.fresh.begin() + first, light.fresh.end()}, light.room});
+    EXPECT_EQ(picture(camera, {}).samples, whole.samples);
+    painter_->take(gpu::TileLight{few.tiles, {}, light.room});
+    EXPECT_EQ(picture(camera, {}).samples, coarse.samples);
 }
 
 TEST_F(TerrainPainting, DrawsEdgesOfTrianglesOverThem)
@@ -200,7 +229,7 @@ TEST_F(TerrainPainting, DrawsEdgesOfTrianglesOverThem)
     const TerrainStep step = moving_map(map)->step(camera, {.pixels = 2});
     gpu::TerrainPaint lines;
     lines.mesh_lines = true;
-    const Image without = paint(map, step.model, camera, {}), with = paint(map, step.model, camera, lines);
+    const Image without = paint(map, step, camera, {}), with = paint(map, step, camera, lines);
     std::size_t darker = 0, brighter = 0, ground = 0;
     for (std::size_t i = 0; i < with.samples.size(); ++i) {
         ground += without.samples[i] < 1;

@@ -108,9 +108,10 @@ TEST_F(PyramidView, HasNoCracksAndTellsWhereItIsTooCoarseWhileTilesArrive)
 
 TEST_F(PyramidView, StaysWithinItsBudgetAndShowsWhatFits)
 {
-    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes(), top = std::size_t(pyramid_->layout().tiles(pyramid_->layout().top()).x) *
-                                                                        std::size_t(pyramid_->layout().tiles(pyramid_->layout().top()).y) *
-                                                                        tile;
+    const int coarsest = pyramid_->layout().top();
+    const ivec2 tops = pyramid_->layout().tiles(coarsest);
+    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes(),
+                      top = std::size_t(tops.x) * std::size_t(tops.y) * pyramid_->read({coarsest, {0, 0}}).bytes();
     for (const std::size_t tiles : {std::size_t(0), std::size_t(7)}) {
         TerrainPyramidView view(*pyramid_, {.budget = tiles * tile, .loaders = 2});
         for (const double along : {0.1, 0.7}) {
@@ -121,6 +122,48 @@ TEST_F(PyramidView, StaysWithinItsBudgetAndShowsWhatFits)
             EXPECT_LE(view.most_bytes(), top + tiles * tile);
         }
     }
+}
+
+TEST_F(PyramidView, ReadsHeightsOfOtherTilesBesideAndLeavesTheMeshAsItIs)
+{
+    TerrainPyramidView view(*pyramid_);
+    std::vector<TileId> others;
+    const ivec2 count = pyramid_->layout().tiles(0);
+    for (int y = 0; y < count.y; ++y)
+        for (int x = 0; x < count.x; ++x)
+            others.push_back({0, {x, y}});
+    const std::size_t of_mesh = [&] {
+        TerrainPyramidView alone(*pyramid_);
+        alone.finish(camera(0.3), {.pixels = 2});
+        return alone.bytes();
+    }();
+    std::size_t with_bounds = 0, heights = 0, leaves = 0;
+    bool was_met = false;
+    for (;;) {
+        const TerrainPyramidView::Frame& frame = view.update(camera(0.3), {.pixels = 2}, others);
+        if (was_met) {
+            EXPECT_FALSE(frame.is_new);
+            EXPECT_EQ(frame.leaves.size(), leaves);
+        }
+        was_met = frame.is_met() && view.bytes() == of_mesh, leaves = frame.leaves.size();
+        std::erase_if(others, [&](const TileId& id) {
+            const SharedTile tile = view.find(id);
+            if (tile) {
+                with_bounds += !tile->bounds.empty();
+                heights += tile->bounds.empty();
+                EXPECT_EQ(tile->heights.size(), pyramid_->read(id).heights.size());
+            }
+            return tile != nullptr;
+        });
+        if (frame.missing == 0)
+            break;
+        view.wait();
+    }
+    EXPECT_TRUE(others.empty());
+    EXPECT_GT(heights, 0u);
+    EXPECT_EQ(heights + with_bounds, std::size_t(count.x) * std::size_t(count.y));
+    EXPECT_EQ(view.bytes(), of_mesh) << "heights pass by";
+    EXPECT_TRUE(view.update(camera(0.31), {.pixels = 2}).is_new);
 }
 
 TEST_F(PyramidView, ForgetsTilesThatAreNotSeenAnyMoreForOthers)

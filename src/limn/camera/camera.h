@@ -35,6 +35,7 @@ struct Camera {
     double ortho_height = 2;     ///< world units that the picture's height shows; orthographic only
     ivec2 size = {1600, 1200};
 
+    bool operator==(const Camera&) const = default;
     /// A camera that shows the whole box with the wanted margin, from the wanted side.
     /// Azimuth 0 is the front (+z towards the viewer for up axis y, -y for up axis z), counter-clockwise from above;
     /// iso is azimuth 45, elevation 35.264. @throws Error::Input for an unknown view or a size below 1.

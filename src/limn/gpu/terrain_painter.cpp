@@ -55,9 +55,9 @@ void TerrainPainter::take(const TerrainModel& model)
     triangles_ = model.triangles.size();
     met_ = model.met;
     storage_bytes(model.vertices.size(), sizeof(vec4), "vertices of a terrain");
+    vertices_ = {}, faces_ = {}; // before there are both
     vertices_ = Buffer(model.vertices);
     faces_ = Buffer(model.triangles);
-    normals_.take(model.normals);
     glVertexArrayElementBuffer(array_.id(), faces_.id());
 }
 

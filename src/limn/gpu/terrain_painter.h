@@ -11,13 +11,12 @@
 
 namespace limn::gpu {
 
-/// A mesh of a terrain for a window, with what its light needs: near its middle, places in floats lose nothing that can be seen.
+/// A mesh of a terrain for a window: near its middle, places in floats lose nothing that can be seen.
 struct TerrainModel {
     dvec3 middle = dvec3(0);
     std::vector<vec4> vertices; ///< metres from the middle; w: 0 lowest to 1 highest, for the colour
     std::vector<uvec3> triangles;
-    std::size_t met = 0;             ///< how many of the triangles keep the bound: the first ones
-    std::vector<NormalTile> normals; ///< at least the whole coarsest level
+    std::size_t met = 0; ///< how many of the triangles keep the bound: the first ones
 };
 
 /// How a terrain is painted in a window.
@@ -41,6 +40,8 @@ public:
     TerrainPainter(const HeightMap& frame, const PyramidLayout& layout);
     /// Takes a model in place of the one before. @throws Error::Device where the device has no room
     void take(const TerrainModel& model);
+    /// Takes light that follows the one before, of at least the whole coarsest level. @throws Error::Device where the device has no room
+    void take(const TileLight& light) { normals_.take(light); }
     /// @param target  of one colour, rgba8; what was in it is gone
     /// @param nearest  metres of depth: what is nearer to the eye is cut off
     void draw(const Framebuffer& target, const Camera& camera, const TerrainPaint& paint, double nearest = 0.01) const;

@@ -1,6 +1,7 @@
 #include "limn/gpu/tile_textures.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -37,40 +38,39 @@ void TileTextures::make_room(std::size_t layers)
 {
     if (layers <= layers_)
         return;
-    constexpr std::size_t more = 32;
-    texture_ = {}; // before there are both
-    layers_ = (layers + more - 1) / more * more;
-    texture_ = make_layers(layout_.tile_points(), layers_);
-    residents_.clear();
+    Texture larger = make_layers(layout_.tile_points(), layers);
+    if (layers_ > 0)
+        glCopyImageSubData(texture_.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, larger.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0,
+                           layout_.tile_points(), layout_.tile_points(), GLsizei(layers_));
+    texture_ = std::move(larger);
+    layers_ = layers;
 }
 
-void TileTextures::take(const std::vector<NormalTile>& tiles)
+void TileTextures::take(const TileLight& light)
 {
-    make_room(tiles.size());
-    std::unordered_map<std::size_t, Resident> kept;
+    make_room(std::max(light.room, light.tiles.size()));
+    std::unordered_map<std::size_t, int> kept;
     std::vector<bool> used(layers_);
-    for (const NormalTile& tile : tiles)
-        if (const auto found = residents_.find(layout_.index(tile.id));
-            found != residents_.end() && found->second.normals == tile.normals) {
-            used[std::size_t(found->second.layer)] = true;
+    for (const TileId& id : light.tiles)
+        if (const auto found = layer_of_.find(layout_.index(id)); found != layer_of_.end()) {
+            used[std::size_t(found->second)] = true;
             kept.insert(*found);
         }
     auto next = used.begin();
     const int points = layout_.tile_points();
-    for (const NormalTile& tile : tiles) {
-        const std::size_t number = layout_.index(tile.id);
-        if (kept.contains(number))
-            continue;
-        next = std::find(next, used.end(), false);
-        const int layer = int(next - used.begin());
-        *next = true;
-        glTextureSubImage3D(texture_.id(), 0, 0, 0, layer, points, points, 1, GL_RG, GL_SHORT, tile.normals->data());
-        kept[number] = {layer, tile.normals};
+    for (const NormalTile& tile : light.fresh) {
+        const auto [place, is_new] = kept.try_emplace(layout_.index(tile.id));
+        if (is_new) {
+            next = std::find(next, used.end(), false);
+            place->second = int(next - used.begin());
+            *next = true;
+        }
+        glTextureSubImage3D(texture_.id(), 0, 0, 0, place->second, points, points, 1, GL_RG, GL_SHORT, tile.normals.data());
     }
-    residents_ = std::move(kept);
+    layer_of_ = std::move(kept);
     std::vector<std::uint32_t> places(layout_.tile_count());
-    for (const auto& [number, resident] : residents_)
-        places[number] = std::uint32_t(resident.layer) + 1;
+    for (const auto& [number, layer] : layer_of_)
+        places[number] = std::uint32_t(layer) + 1;
     places_.write(0, places.size() * sizeof(std::uint32_t), places.data());
 }
 

@@ -4,6 +4,8 @@
 
 #include "limn/base/parallel.h"
 #include "limn/scene/moving_terrain.h"
+#include "limn/scene/tile_normals.h"
+#include "limn/terrain/shading_tiles.h"
 #include "limn/terrain/terrain_build.h"
 #include "limn/terrain/terrain_mesh.h"
 
@@ -16,9 +18,11 @@ struct Prepared {
     NestedErrors errors;
     PyramidLayout layout;
     TerrainView view;
+    TileNormals normals;
 
     explicit Prepared(HeightMap heights)
-        : map(std::move(heights)), errors(nest_errors(map, {.ranges = true})), layout(errors.lattice), view(map, errors)
+        : map(std::move(heights)), errors(nest_errors(map, {.ranges = true})), layout(errors.lattice), view(map, errors),
+          normals(layout, map.spacing, 1)
     {
     }
 };
@@ -33,23 +37,22 @@ public:
         prepared_->view.update(camera, tolerance);
         Mesh mesh = terrain_mesh(map, prepared_->errors.lattice, prepared_->view.triangles());
         TerrainStep step;
-        step.model.middle = camera.eye;
-        step.model.triangles = std::move(mesh.triangles);
-        step.model.met = step.model.triangles.size();
-        step.model.vertices.resize(mesh.positions.size());
+        gpu::TerrainModel& model = step.model.emplace();
+        model.middle = camera.eye;
+        model.triangles = std::move(mesh.triangles);
+        model.met = model.triangles.size();
+        model.vertices.resize(mesh.positions.size());
         const double relief = std::max(heights_.y - heights_.x, 1e-30);
         parallel_each(mesh.positions.size(), 4096, [&](std::size_t i) {
             const dvec3& p = mesh.positions[i];
-            step.model.vertices[i] = vec4(vec3(p - camera.eye), float((p.z - heights_.x) / relief));
+            model.vertices[i] = vec4(vec3(p - camera.eye), float((p.z - heights_.x) / relief));
         });
         const PyramidLayout& tiles = prepared_->layout;
         const std::vector<TileId> wanted = shading_tiles(map, tiles, camera, gpu::TerrainPainter::pixels_between_normals,
                                                          [&](const TileId& id) { return heights_of(id); });
-        step.model.normals = normals_.of(wanted, tiles, map.spacing, 1, [&](const TileId& id) {
-            return std::make_shared<const TerrainTile>(tile_of_map(map, tiles, id));
-        });
-        step.triangles = step.model.triangles.size();
-        step.unmet = step.triangles - step.model.met;
+        step.light = prepared_->normals.give(
+            wanted, [&](const TileId& id) { return std::make_shared<const TerrainTile>(tile_of_map(map, tiles, id)); });
+        step.triangles = model.triangles.size();
         step.under_ground = under_ground(camera);
         return step;
     }
@@ -58,7 +61,6 @@ public:
     void exaggerate(double factor) override
     {
         prepared_ = std::make_unique<Prepared>(exaggerated(true_map_, factor));
-        normals_.clear();
         heights_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
         for (const float h : prepared_->map.heights)
             if (!std::isnan(h))
@@ -90,7 +92,6 @@ private:
 
     HeightMap true_map_;
     std::unique_ptr<Prepared> prepared_;
-    TileNormals normals_;
     dvec2 heights_ = dvec2(0); ///< lowest and highest, metres, exaggerated
 };
 

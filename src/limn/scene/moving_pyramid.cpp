@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "limn/base/error.h"
 #include "limn/base/parallel.h"
 #include "limn/scene/moving_terrain.h"
+#include "limn/scene/tile_normals.h"
+#include "limn/terrain/shading_tiles.h"
 #include "limn/terrain/terrain_pyramid_view.h"
 
 namespace limn {
@@ -26,17 +29,20 @@ public:
                 const PointBounds& bounds = pyramid_.entry(id).bounds;
                 return factor_ * dvec2(bounds.low, bounds.high);
             });
-        const TerrainPyramidView::Frame& frame = view_->update(camera, tolerance, wanted);
+        const TerrainPyramidView::Frame& frame = view_->update(camera, tolerance, normals_->lacking(wanted));
         TerrainStep step;
         step.missing = frame.missing;
         step.tile_bytes = view_->bytes();
         step.over_budget = frame.over_budget;
         step.fault = frame.fault;
-        step.model = model(frame, camera.eye);
-        step.model.normals =
-            normals_.of(wanted, tiles, pyramid_.frame().spacing, factor_, [&](const TileId& id) { return view_->find(id); });
-        step.triangles = step.model.triangles.size();
-        step.unmet = step.triangles - step.model.met;
+        step.light = normals_->give(wanted, [&](const TileId& id) { return view_->find(id); });
+        if (frame.is_new) {
+            step.model = model(frame, camera.eye);
+            triangles_ = step.model->triangles.size();
+            unmet_ = triangles_ - step.model->met;
+        }
+        step.triangles = triangles_;
+        step.unmet = unmet_;
         step.under_ground = under_ground(camera);
         return step;
     }
@@ -47,8 +53,8 @@ public:
         if (!(factor > 0) || !std::isfinite(factor))
             throw Error::Input(fmt::format("heights times {}: the factor has to be above 0", factor));
         view_.reset(); // its tiles go before those of the next one come
-        normals_.clear();
         factor_ = factor;
+        normals_.emplace(pyramid_.layout(), pyramid_.frame().spacing, factor);
         view_ = std::make_unique<TerrainPyramidView>(pyramid_, TerrainPyramidViewOptions{.budget = budget_, .exaggerate = factor});
     }
     const HeightMap& frame() const override { return pyramid_.frame(); }
@@ -62,6 +68,13 @@ public:
 private:
     gpu::TerrainModel model(const TerrainPyramidView::Frame& frame, const dvec3& middle) const
     {
+        gpu::TerrainModel model;
+        model.middle = middle;
+        if (frame.is_met()) {
+            add(model, pyramid_mesh(pyramid_, frame.leaves, factor_));
+            model.met = model.triangles.size();
+            return model;
+        }
         std::vector<PyramidLeaf> met, unmet;
         std::size_t next = 0; // of those that are not met
         for (std::size_t i = 0; i < frame.leaves.size(); ++i) {
@@ -69,8 +82,6 @@ private:
             next += is_unmet;
             (is_unmet ? unmet : met).push_back(frame.leaves[i]);
         }
-        gpu::TerrainModel model;
-        model.middle = middle;
         add(model, pyramid_mesh(pyramid_, met, factor_));
         model.met = model.triangles.size();
         add(model, pyramid_mesh(pyramid_, unmet, factor_));
@@ -85,6 +96,7 @@ private:
             const dvec3& p = mesh.positions[i];
             model.vertices[first + i] = vec4(vec3(p - model.middle), float((p.z - low) / relief));
         });
+        model.triangles.reserve(model.triangles.size() + mesh.triangles.size());
         for (const uvec3& t : mesh.triangles)
             model.triangles.push_back(t + first);
     }
@@ -108,7 +120,8 @@ private:
     TerrainPyramid pyramid_;
     std::size_t budget_;
     double factor_ = 1;
-    TileNormals normals_;
+    std::optional<TileNormals> normals_;
+    std::size_t triangles_ = 0, unmet_ = 0; ///< of the last model
     std::unique_ptr<TerrainPyramidView> view_;
 };
 

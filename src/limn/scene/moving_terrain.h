@@ -2,26 +2,27 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
-#include <unordered_map>
 
 #include "limn/geometry/mesh.h"
 #include "limn/gpu/terrain_painter.h"
 #include "limn/terrain/height_map.h"
-#include "limn/terrain/shading_tiles.h"
+#include "limn/terrain/pyramid_layout.h"
 #include "limn/terrain/terrain_view.h"
 
 namespace limn {
 
 /// What a window shows of a terrain for one camera.
 struct TerrainStep {
-    gpu::TerrainModel model;    ///< the triangles that may break the bound come last
-    std::size_t triangles = 0, unmet = 0; ///< of them all, and of those
-    std::size_t missing = 0;    ///< tiles that are still to be read, for the mesh or for its light
-    std::size_t tile_bytes = 0; ///< of tiles in memory
-    bool over_budget = false;   ///< more tiles are needed than memory is allowed
-    std::string fault;          ///< of a tile that cannot be read, or ""
-    double under_ground = 0;    ///< metres that the eye is under the terrain; 0 where it is above it or beside
+    std::optional<gpu::TerrainModel> model; ///< the triangles that may break the bound come last; none: that of the step before
+    gpu::TileLight light;                   ///< follows that of the step before
+    std::size_t triangles = 0, unmet = 0;   ///< of them all, and of those
+    std::size_t missing = 0;                ///< tiles that are still to be read, for the mesh or for its light
+    std::size_t tile_bytes = 0;             ///< of tiles in memory
+    bool over_budget = false;               ///< more tiles are needed than memory is allowed
+    std::string fault;                      ///< of a tile that cannot be read, or ""
+    double under_ground = 0;                ///< metres that the eye is under the terrain; 0 where it is above it or beside
 
     bool is_settled() const { return missing == 0; } ///< nothing comes any more while the camera stands
 };
@@ -46,19 +47,6 @@ public:
     virtual Mesh coarse() = 0;
 };
 
-/// Normals of tiles that were used last, so that each is computed once while it is needed.
-class TileNormals {
-public:
-    /// Forgets all but those of the last call.
-    /// @param tile  gives a tile's heights; null where they are not there: then its normals are left out
-    std::vector<gpu::NormalTile> of(const std::vector<TileId>& wanted, const PyramidLayout& layout, const dvec2& spacing, double exaggerate,
-                                    const std::function<std::shared_ptr<const TerrainTile>(const TileId&)>& tile);
-    void clear() { known_.clear(); }
-
-private:
-    std::unordered_map<std::size_t, std::shared_ptr<const std::vector<std::uint32_t>>> known_; ///< by the numbers of tiles
-};
-
 /// Of a height map in memory: nothing is ever missing.
 /// @throws Error::Input as nest_errors() and exaggerate()
 std::unique_ptr<MovingTerrain> moving_map(HeightMap map, double exaggerate = 1);
@@ -66,5 +54,8 @@ std::unique_ptr<MovingTerrain> moving_map(HeightMap map, double exaggerate = 1);
 /// Of a pyramid on disk, with as many bytes of tiles in memory as `budget` says and those of the coarsest level.
 /// @throws Error::Read as TerrainPyramid and TerrainPyramidView, Error::Input as exaggerate()
 std::unique_ptr<MovingTerrain> moving_pyramid(const std::filesystem::path& file, std::size_t budget, double exaggerate = 1);
+
+/// The step that follows one whose model and light nobody took.
+TerrainStep after_skipped(TerrainStep step, TerrainStep skipped);
 
 } // namespace limn

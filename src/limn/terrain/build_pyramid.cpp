@@ -281,7 +281,7 @@ private:
                 if (power >= stream.powers() || (above > 0 && id.level < layout_.top()))
                     continue;
                 const PointBounds& bounds = stream.rows(power).row(p.y >> above)[std::size_t(p.x >> above)];
-                tile.bounds[std::size_t(y * tile.points + x)] = bounds;
+                tile.bounds[tile.bounds_index({x, y})] = bounds;
                 all.nest(bounds);
             }
         entry(id).bounds = all.rounded();

@@ -18,7 +18,7 @@ public:
     {
         const int cells = pyramid_.layout().tile_cells(), columns = pyramid_.frame().columns;
         if (const int wanted = std::min(row / cells, pyramid_.layout().tiles(0).y - 1); wanted != row_) {
-            parallel_each(tiles_.size(), 1, [&](std::size_t i) { tiles_[i] = pyramid_.read_heights({0, {int(i), wanted}}); });
+            parallel_each(tiles_.size(), 1, [&](std::size_t i) { tiles_[i] = pyramid_.read({0, {int(i), wanted}}, TileParts::heights); });
             row_ = wanted;
         }
         for (const TerrainTile& tile : tiles_)

@@ -82,6 +82,16 @@ struct MeshCorner {
     float height;
 };
 
+bool is_before(const MeshCorner& p, const MeshCorner& q) { return p.sample < q.sample; }
+
+void sort_without_repeats(std::vector<MeshCorner>& corners)
+{
+    std::sort(corners.begin(), corners.end(), is_before);
+    corners.erase(
+        std::unique(corners.begin(), corners.end(), [](const MeshCorner& p, const MeshCorner& q) { return p.sample == q.sample; }),
+        corners.end());
+}
+
 /// Calls `f(corners)` for the triangles of a mesh: parts inside the map with data at all corners.
 template <class F> void each_drawn(const TerrainPyramid& pyramid, const PyramidLeaf& leaf, F&& f)
 {
@@ -152,21 +162,15 @@ std::vector<PyramidLeaf> pyramid_leaves(TileCache& tiles, const PyramidTest& tes
 Mesh pyramid_mesh(const TerrainPyramid& pyramid, const std::vector<PyramidLeaf>& leaves, double exaggerate)
 {
     constexpr std::size_t grain = 4096;
-    using Corners = std::array<MeshCorner, 3>;
-    const std::vector<Corners> drawn =
-        parallel_collect<Corners>(leaves.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<Corners>& out) {
+    std::vector<MeshCorner> corners =
+        parallel_collect<MeshCorner>(leaves.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<MeshCorner>& out) {
+            std::vector<MeshCorner> all; // neighbours share most of theirs
             for (std::size_t i = begin; i < end; ++i)
-                each_drawn(pyramid, leaves[i], [&](const Corners& corners) { out.push_back(corners); });
+                each_drawn(pyramid, leaves[i], [&](const auto& three) { all.insert(all.end(), three.begin(), three.end()); });
+            sort_without_repeats(all);
+            out.insert(out.end(), all.begin(), all.end());
         });
-    std::vector<MeshCorner> corners;
-    corners.reserve(3 * drawn.size());
-    for (const Corners& three : drawn)
-        corners.insert(corners.end(), three.begin(), three.end());
-    const auto before = [](const MeshCorner& p, const MeshCorner& q) { return p.sample < q.sample; };
-    std::sort(corners.begin(), corners.end(), before);
-    corners.erase(
-        std::unique(corners.begin(), corners.end(), [](const MeshCorner& p, const MeshCorner& q) { return p.sample == q.sample; }),
-        corners.end());
+    sort_without_repeats(corners);
     const HeightMap& frame = pyramid.frame();
     Mesh mesh;
     mesh.positions.resize(corners.size());
@@ -176,11 +180,13 @@ Mesh pyramid_mesh(const TerrainPyramid& pyramid, const std::vector<PyramidLeaf>&
         mesh.positions[i] = {column * frame.spacing.x, (frame.rows - 1 - row) * frame.spacing.y,
                              double(float(double(corners[i].height) * exaggerate))};
     });
-    mesh.triangles.resize(drawn.size());
-    parallel_each(drawn.size(), grain, [&](std::size_t i) {
-        for (int c = 0; c < 3; ++c)
-            mesh.triangles[i][c] =
-                std::uint32_t(std::lower_bound(corners.begin(), corners.end(), drawn[i][std::size_t(c)], before) - corners.begin());
+    const auto number = [&](const MeshCorner& c) {
+        return std::uint32_t(std::lower_bound(corners.begin(), corners.end(), c, is_before) - corners.begin());
+    };
+    mesh.triangles = parallel_collect<uvec3>(leaves.size(), grain, [&](std::size_t begin, std::size_t end, std::vector<uvec3>& out) {
+        for (std::size_t i = begin; i < end; ++i)
+            each_drawn(pyramid, leaves[i],
+                       [&](const auto& three) { out.emplace_back(number(three[0]), number(three[1]), number(three[2])); });
     });
     return mesh;
 }
@@ -189,7 +195,8 @@ Mesh coarse_pyramid_mesh(TileCache& tiles, double exaggerate)
 {
     constexpr double share_of_relief = 1.0 / 500, large = 2048 * 2048;
     const TerrainPyramid& pyramid = tiles.pyramid();
-    const double relief = double(pyramid.highest()) - double(pyramid.lowest()), samples = double(pyramid.frame().columns) * pyramid.frame().rows;
+    const double relief = double(pyramid.highest()) - double(pyramid.lowest()),
+                 samples = double(pyramid.frame().columns) * pyramid.frame().rows;
     // The larger the map, the coarser: it is only looked at from where all of it can be seen.
     const double tolerance = exaggerate * relief * share_of_relief * std::max(1.0, samples / large);
     return pyramid_mesh(pyramid, pyramid_leaves(tiles, metric_test(pyramid, tolerance, 0, exaggerate)), exaggerate);

@@ -102,17 +102,10 @@ void TerrainPyramid::check(const TileId& id, const std::string& fault) const
         throw Error::Read(fmt::format("{}: {} is damaged: {}", name_, tile_name(id), fault));
 }
 
-TerrainTile TerrainPyramid::read(const TileId& id) const
+TerrainTile TerrainPyramid::read(const TileId& id, TileParts parts) const
 {
     TerrainTile tile;
-    check(id, unpack_tile(layout_, id, read_packed(id), tile));
-    return tile;
-}
-
-TerrainTile TerrainPyramid::read_heights(const TileId& id) const
-{
-    TerrainTile tile;
-    check(id, unpack_heights(layout_, id, read_packed(id), tile));
+    check(id, (parts == TileParts::all ? unpack_tile : unpack_heights)(layout_, id, read_packed(id), tile));
     return tile;
 }
 

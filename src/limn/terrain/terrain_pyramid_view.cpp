@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <tuple>
 #include <unordered_set>
@@ -57,13 +56,8 @@ public:
     /// Whether a tile that is missing was asked for since the last call.
     bool take_waits() { return std::exchange(waits_, false); }
 
-    /// A wanted tile, with how much it shows, in pixels: at least as much as those that need it.
-    struct Wanted {
-        TileId id;
-        double shows;
-    };
-    /// Below the coarsest level, those that show most first; what a tile needs comes before it.
-    std::vector<Wanted> wanted() const
+    /// Tiles below the coarsest level, those that show most first; what a tile needs comes before it.
+    std::vector<TileId> wanted() const
     {
         std::vector<Wanted> all;
         for (const auto& [number, wanted] : wanted_)
@@ -73,13 +67,21 @@ public:
             return std::make_tuple(-a.shows, layout_.index(a.id)) <
                    std::make_tuple(-b.shows, layout_.index(b.id)); // coarser levels have lower numbers
         });
-        return all;
+        std::vector<TileId> tiles;
+        for (const Wanted& wanted : all)
+            tiles.push_back(wanted.id);
+        return tiles;
     }
 
 private:
     struct State {
         bool may_split = false, usable = false, wanted = false;
         const TerrainTile* tile = nullptr;
+    };
+    /// A tile with how much it shows, in pixels: at least as much as those that need it.
+    struct Wanted {
+        TileId id;
+        double shows;
     };
     State& state(const TileId& id)
     {
@@ -154,102 +156,134 @@ TerrainPyramidView::TerrainPyramidView(const TerrainPyramid& pyramid, const Terr
             ++top_tiles_;
         }
     bytes_ = most_bytes_ = top_bytes_;
-}
-
-std::size_t TerrainPyramidView::tile_bytes() const
-{
-    const std::size_t points = std::size_t(pyramid_.layout().tile_points());
-    return (points + 2) * (points + 2) * sizeof(float) + points * points * sizeof(PointBounds);
-}
-
-void TerrainPyramidView::take_arrivals()
-{
-    for (TileLoader::Arrival& arrival : loader_.take()) {
-        const std::size_t number = pyramid_.layout().index(arrival.id);
-        if (!arrival.tile) {
-            faults_[number] = arrival.fault;
-            continue;
-        }
-        bytes_ += arrival.tile->bytes();
-        residents_[number] = {std::move(arrival.tile), frame_number_};
+    if (layout.top() > 0) {
+        const TerrainTile tile = empty_tile(layout, {0, {0, 0}});
+        tile_bytes_ = tile.bytes(), heights_bytes_ = tile.heights.size() * sizeof(float);
     }
 }
 
-const TerrainPyramidView::Frame& TerrainPyramidView::update(const Camera& camera, const ViewTolerance& tolerance, const std::vector<TileId>& others)
+/// @return whether there are more tiles for the mesh
+bool TerrainPyramidView::take_arrivals()
 {
-    const Lattice& lattice = pyramid_.lattice();
-    const PyramidTest test = view_test(pyramid_, camera, tolerance, 0, options_.exaggerate);
+    bool for_mesh = false;
+    passing_.clear();
+    for (TileLoader::Arrival& arrival : loader_.take()) {
+        const std::size_t number = pyramid_.layout().index(arrival.request.id);
+        if (!arrival.tile) {
+            faults_[number] = arrival.fault;
+        } else if (arrival.request.parts == TileParts::heights) {
+            passing_[number] = std::move(arrival.tile);
+        } else {
+            bytes_ += arrival.tile->bytes();
+            residents_[number] = {std::move(arrival.tile), frame_number_};
+            for_mesh = true;
+        }
+    }
+    return for_mesh;
+}
+
+const TerrainPyramidView::Frame& TerrainPyramidView::update(const Camera& camera, const ViewTolerance& tolerance,
+                                                            const std::vector<TileId>& others)
+{
     ++frame_number_;
-    take_arrivals();
+    const std::pair seen(camera, tolerance);
+    frame_.is_new = take_arrivals() || seen_ != seen;
+    if (frame_.is_new)
+        find_leaves(camera, tolerance);
+    seen_ = seen;
+    ask_for(others);
+    return frame_;
+}
+
+void TerrainPyramidView::find_leaves(const Camera& camera, const ViewTolerance& tolerance)
+{
+    const PyramidTest test = view_test(pyramid_, camera, tolerance, 0, options_.exaggerate);
     Tiles tiles(*this, test);
-    frame_ = {};
-    for (const PyramidLeaf& leaf : root_pyramid_leaves(lattice, tiles))
-        each_pyramid_leaf(lattice, leaf, tiles, test, [&](const PyramidLeaf& found) {
+    frame_.leaves.clear();
+    frame_.unmet.clear();
+    for (const PyramidLeaf& leaf : root_pyramid_leaves(pyramid_.lattice(), tiles))
+        each_pyramid_leaf(pyramid_.lattice(), leaf, tiles, test, [&](const PyramidLeaf& found) {
             if (tiles.take_waits())
                 frame_.unmet.push_back(std::uint32_t(frame_.leaves.size()));
             frame_.leaves.push_back(found);
         });
-    ask_for(tiles, others);
-    return frame_;
+    wanted_ = tiles.wanted();
 }
 
 SharedTile TerrainPyramidView::find(const TileId& id) const
 {
-    const auto resident = residents_.find(pyramid_.layout().index(id));
-    return resident == residents_.end() ? nullptr : resident->second.tile;
+    const std::size_t number = pyramid_.layout().index(id);
+    if (const auto resident = residents_.find(number); resident != residents_.end())
+        return resident->second.tile;
+    const auto passing = passing_.find(number);
+    return passing == passing_.end() ? nullptr : passing->second;
 }
 
 /// Asks for what is missing, that which shows most first, as far as the budget goes.
-void TerrainPyramidView::ask_for(const Tiles& tiles, const std::vector<TileId>& others)
+void TerrainPyramidView::ask_for(const std::vector<TileId>& others)
 {
+    constexpr std::size_t most_others = 32; // at a time
     const PyramidLayout& layout = pyramid_.layout();
-    std::vector<TileId> wanted;
-    std::unordered_set<std::size_t> known;
-    for (const Tiles::Wanted& tile : tiles.wanted()) {
-        wanted.push_back(tile.id);
-        known.insert(layout.index(tile.id));
-    }
-    const std::size_t room = options_.budget / tile_bytes();
-    frame_.over_budget = wanted.size() > room;
-    std::copy_if(others.begin(), others.end(), std::back_inserter(wanted), [&](const TileId& id) { return id.level < layout.top() && !known.contains(layout.index(id)); });
-    wanted.resize(std::min(wanted.size(), room));
-    std::vector<TileId> missing;
-    for (const TileId& id : wanted) {
-        const std::size_t number = layout.index(id);
+    const std::size_t room = std::min(wanted_.size(), options_.budget / tile_bytes_);
+    frame_.over_budget = wanted_.size() > room;
+    frame_.fault.clear();
+    std::vector<TileId> missing, heights;
+    std::unordered_set<std::size_t> asked;
+    for (std::size_t i = 0; i < room; ++i) {
+        const std::size_t number = layout.index(wanted_[i]);
+        asked.insert(number);
         if (const auto resident = residents_.find(number); resident != residents_.end())
             resident->second.last_used = frame_number_;
-        else if (const auto fault = faults_.find(number); fault != faults_.end())
-            frame_.fault = fault->second;
-        else
-            missing.push_back(id);
+        else if (is_to_be_read(wanted_[i]))
+            missing.push_back(wanted_[i]);
     }
-    frame_.missing = missing.size();
-    make_room(missing);
-    loader_.want(missing);
+    for (const TileId& id : others)
+        if (!asked.contains(layout.index(id)) && !find(id) && is_to_be_read(id))
+            heights.push_back(id);
+    frame_.missing = missing.size() + heights.size();
+    heights.resize(std::min(heights.size(), most_others));
+    make_room(missing, (passing_.size() + heights.size()) * heights_bytes_);
+    std::vector<TileRequest> requests;
+    for (const TileId& id : missing)
+        requests.push_back({id, TileParts::all});
+    for (const TileId& id : heights)
+        requests.push_back({id, TileParts::heights});
+    loader_.want(requests);
+}
+
+/// Not one that cannot be: that is told.
+bool TerrainPyramidView::is_to_be_read(const TileId& id)
+{
+    const auto fault = faults_.find(pyramid_.layout().index(id));
+    if (fault != faults_.end())
+        frame_.fault = fault->second;
+    return fault == faults_.end();
 }
 
 /// Lets tiles go that no one wants, those first that were not used for longest. What is still being read takes room too, wanted or not; where
 /// there is none left, the last of what is missing has to wait.
-void TerrainPyramidView::make_room(std::vector<TileId>& missing)
+/// @param beside  bytes beyond the budget
+void TerrainPyramidView::make_room(std::vector<TileId>& missing, std::size_t beside)
 {
     loader_.want({}); // no reading begins while what is being read is counted
-    const std::vector<TileId> under_way = loader_.under_way();
-    const auto unwanted = std::count_if(under_way.begin(), under_way.end(),
-                                        [&](const TileId& id) { return std::find(missing.begin(), missing.end(), id) == missing.end(); });
+    const std::vector<TileRequest> under_way = loader_.under_way();
+    const auto unwanted = std::count_if(under_way.begin(), under_way.end(), [&](const TileRequest& request) {
+        return request.parts == TileParts::all && std::find(missing.begin(), missing.end(), request.id) == missing.end();
+    });
     std::size_t coming = missing.size() + std::size_t(unwanted);
     std::vector<std::pair<std::uint64_t, std::size_t>> idle; // frame and number
     for (const auto& [number, resident] : residents_)
         if (resident.last_used < frame_number_ && number >= top_tiles_)
             idle.emplace_back(resident.last_used, number);
     std::sort(idle.begin(), idle.end(), std::greater<>());
-    const auto is_full = [&] { return bytes_ - top_bytes_ + coming * tile_bytes() > options_.budget; };
+    const auto is_full = [&] { return bytes_ - top_bytes_ + coming * tile_bytes_ > options_.budget; };
     for (; is_full() && !idle.empty(); idle.pop_back()) {
         bytes_ -= residents_.at(idle.back().second).tile->bytes();
         residents_.erase(idle.back().second);
     }
     for (; is_full() && !missing.empty(); --coming)
         missing.pop_back();
-    most_bytes_ = std::max(most_bytes_, bytes_ + coming * tile_bytes());
+    most_bytes_ = std::max(most_bytes_, bytes_ + coming * tile_bytes_ + beside);
 }
 
 const TerrainPyramidView::Frame& TerrainPyramidView::finish(const Camera& camera, const ViewTolerance& tolerance)

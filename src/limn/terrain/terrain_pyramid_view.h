@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "limn/terrain/pyramid_leaves.h"
@@ -30,6 +32,7 @@ public:
 
     struct Frame {
         std::vector<PyramidLeaf> leaves;
+        bool is_new = true; ///< whether they are not those of the update before: where they are, nothing arrived that changes them
         std::vector<std::uint32_t> unmet; ///< numbers of leaves that may break the bound, since a tile is missing
         std::size_t missing = 0;          ///< tiles that are still to be read
         bool over_budget = false;         ///< the view needs more tiles than the budget holds; those that show least are left out
@@ -37,7 +40,8 @@ public:
         bool is_met() const { return unmet.empty(); }
     };
     /// The mesh of a camera out of the tiles that are there now; asks for those that are not.
-    /// @param others  tiles that are wanted besides, after all that the mesh needs, as far as the budget goes; `missing` counts them too
+    /// @param others  tiles whose heights are wanted besides, after all that the mesh needs; `missing` counts them too. A few are read at a time, beyond
+    ///                the budget, and what arrives is here until the next update.
     /// @throws Error::Input as ViewTest does
     const Frame& update(const Camera& camera, const ViewTolerance& tolerance = {}, const std::vector<TileId>& others = {});
     /// Updates until the bound is met, or cannot be within the budget. @throws Error::Read naming the file and the tile that cannot be read
@@ -47,9 +51,9 @@ public:
     /// Tiles that could not be read are tried again.
     void retry() { faults_.clear(); }
 
-    /// A tile if it is here, else null.
+    /// A tile if it is here, else null; one that only its heights are wanted of has no bounds.
     SharedTile find(const TileId& id) const;
-    std::size_t bytes() const { return bytes_; }           ///< of tiles that are here
+    std::size_t bytes() const { return bytes_; }           ///< of tiles that are here for the mesh
     std::size_t most_bytes() const { return most_bytes_; } ///< at any time, those on their way too
 
 private:
@@ -59,19 +63,24 @@ private:
     };
     class Tiles;
 
-    std::size_t tile_bytes() const;
-    void take_arrivals();
-    void ask_for(const Tiles& tiles, const std::vector<TileId>& others);
-    void make_room(std::vector<TileId>& missing);
+    bool take_arrivals();
+    void find_leaves(const Camera& camera, const ViewTolerance& tolerance);
+    void ask_for(const std::vector<TileId>& others);
+    bool is_to_be_read(const TileId& id);
+    void make_room(std::vector<TileId>& missing, std::size_t beside);
 
     const TerrainPyramid& pyramid_;
     TerrainPyramidViewOptions options_;
     std::unordered_map<std::size_t, Resident> residents_; ///< by their numbers in the layout
+    std::unordered_map<std::size_t, SharedTile> passing_; ///< heights that arrived before this update, by the same
     std::map<std::size_t, std::string> faults_;
     std::uint64_t frame_number_ = 0;
     std::size_t bytes_ = 0, most_bytes_ = 0, top_bytes_ = 0, top_tiles_ = 0;
+    std::size_t tile_bytes_ = 1, heights_bytes_ = 1; ///< of a tile below the coarsest level, with its bounds and without
     Frame frame_;
-    TileLoader loader_; ///< last, so that it ends before what it reads for goes
+    std::optional<std::pair<Camera, ViewTolerance>> seen_; ///< of the leaves
+    std::vector<TileId> wanted_;                           ///< for them, those that show most first
+    TileLoader loader_;                                    ///< last, so that it ends before what it reads for goes
 };
 
 } // namespace limn

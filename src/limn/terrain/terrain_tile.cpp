@@ -69,13 +69,13 @@ std::size_t bytes_of(const PyramidLayout& layout, const TileId& id)
     return 4 * (around * around + (has_stored_bounds(id) ? 3 * points * points : 0));
 }
 
-/// Calls `f(index of a bound, height of its point)` for all points.
+/// Calls `f(place, number of the point in the tile, its height)` for all points.
 template <class F> void each_point(const TerrainTile& tile, F&& f)
 {
     const std::size_t points = std::size_t(tile.points);
     for (std::size_t y = 0; y < points; ++y)
         for (std::size_t x = 0; x < points; ++x)
-            f(y * points + x, tile.heights[(y + 1) * (points + 2) + x + 1]);
+            f(ivec2(int(x), int(y)), y * points + x, tile.heights[(y + 1) * (points + 2) + x + 1]);
 }
 
 /// Bounds of the points of level 0.
@@ -86,8 +86,7 @@ void find_bounds(const PyramidLayout& layout, TerrainTile& tile)
     const HeightWindow window = {tile.heights.data(), std::size_t(tile.points + 2), tile.first - 1, last + 2};
     const auto below = [&](const ivec2& p) { return tile.bounds_of(p); };
     const auto set = [&](const SplitPoint& point) {
-        const ivec2 at = point.middle() - tile.first;
-        tile.bounds[std::size_t(at.y) * std::size_t(tile.points) + std::size_t(at.x)] = bounds_of_point(lattice, window, point, below);
+        tile.bounds[tile.bounds_index(point.middle() - tile.first)] = bounds_of_point(lattice, window, point, below);
     };
     for (int y = tile.first.y; y <= last.y; y += 2)
         for (int x = tile.first.x; x < last.x; x += 2)
@@ -102,19 +101,30 @@ void find_bounds(const PyramidLayout& layout, TerrainTile& tile)
 
 void unpack_bounds(std::string_view bytes, TerrainTile& tile)
 {
-    const std::size_t count = tile.bounds.size();
+    const std::size_t count = std::size_t(tile.points) * std::size_t(tile.points);
     const Words errors = take_bytes(bytes, count), low = take_bytes(bytes.substr(4 * count), count),
                 high = take_bytes(bytes.substr(8 * count), count);
-    each_point(tile, [&](std::size_t i, float height) {
-        tile.bounds[i] = {std::bit_cast<float>(errors[i]), std::bit_cast<float>(bits_of(height) - low[i]),
-                          std::bit_cast<float>(bits_of(height) + high[i])};
+    each_point(tile, [&](const ivec2& at, std::size_t i, float height) {
+        if (tile.owns(at))
+            tile.bounds[tile.bounds_index(at)] = {std::bit_cast<float>(errors[i]), std::bit_cast<float>(bits_of(height) - low[i]),
+                                                  std::bit_cast<float>(bits_of(height) + high[i])};
     });
 }
 
-/// Fills in heights, and gives all bytes that were packed.
+/// A tile with its place, and with heights of no data.
+TerrainTile tile_without_bounds(const PyramidLayout& layout, const TileId& id)
+{
+    TerrainTile tile;
+    tile.first = layout.first_sample(id), tile.stride = 1 << id.level, tile.points = layout.tile_points();
+    tile.is_coarsest = id.level == layout.top();
+    const std::size_t around = std::size_t(tile.points) + 2;
+    tile.heights.assign(around * around, std::numeric_limits<float>::quiet_NaN());
+    return tile;
+}
+
+/// Fills in heights, and gives all bytes that were packed: none where there is no data.
 std::string unpack(const PyramidLayout& layout, const TileId& id, std::string_view packed, TerrainTile& tile, std::string& bytes)
 {
-    tile = empty_tile(layout, id);
     if (packed.empty())
         return {};
     bytes.resize(bytes_of(layout, id));
@@ -133,11 +143,8 @@ std::string unpack(const PyramidLayout& layout, const TileId& id, std::string_vi
 
 TerrainTile empty_tile(const PyramidLayout& layout, const TileId& id)
 {
-    TerrainTile tile;
-    tile.first = layout.first_sample(id), tile.stride = 1 << id.level, tile.points = layout.tile_points();
-    const std::size_t points = std::size_t(tile.points), around = points + 2;
-    tile.heights.assign(around * around, std::numeric_limits<float>::quiet_NaN());
-    tile.bounds.assign(points * points, GrowingBounds().rounded());
+    TerrainTile tile = tile_without_bounds(layout, id);
+    tile.bounds.assign(tile.own_points(), GrowingBounds().rounded());
     return tile;
 }
 
@@ -151,9 +158,9 @@ std::string pack_tile(const PyramidLayout& layout, const TileId& id, const Terra
     predict(heights, std::size_t(tile.points + 2));
     append_bytes(heights, bytes);
     if (has_stored_bounds(id)) {
-        Words errors(tile.bounds.size()), low = errors, high = errors;
-        each_point(tile, [&](std::size_t i, float height) {
-            const PointBounds& bounds = tile.bounds[i];
+        Words errors(std::size_t(tile.points) * std::size_t(tile.points)), low = errors, high = errors;
+        each_point(tile, [&](const ivec2& at, std::size_t i, float height) {
+            const PointBounds bounds = tile.owns(at) ? tile.bounds[tile.bounds_index(at)] : PointBounds();
             errors[i] = bits_of(bounds.error), low[i] = bits_of(height) - bits_of(bounds.low),
             high[i] = bits_of(bounds.high) - bits_of(height);
         });
@@ -168,14 +175,14 @@ std::string pack_tile(const PyramidLayout& layout, const TileId& id, const Terra
 std::string unpack_heights(const PyramidLayout& layout, const TileId& id, std::string_view packed, TerrainTile& tile)
 {
     std::string bytes;
-    const std::string fault = unpack(layout, id, packed, tile, bytes);
-    tile.bounds = {};
-    return fault;
+    tile = tile_without_bounds(layout, id);
+    return unpack(layout, id, packed, tile, bytes);
 }
 
 std::string unpack_tile(const PyramidLayout& layout, const TileId& id, std::string_view packed, TerrainTile& tile)
 {
     std::string bytes;
+    tile = empty_tile(layout, id);
     if (const std::string fault = unpack(layout, id, packed, tile, bytes); !fault.empty() || packed.empty())
         return fault;
     if (has_stored_bounds(id))

@@ -14,6 +14,8 @@ struct ViewTolerance {
     double pixels = 1;        ///< 0 or more: how far from its true place the terrain may be drawn
     double nearest = 0.01;    ///< metres of depth: what is nearer to the eye is as fine as the map
     bool cull = true;         ///< what no part of the picture shows stays coarse
+
+    bool operator==(const ViewTolerance&) const = default;
 };
 
 /// Which triangles a view splits. The error of a lattice point in the picture is bounded by that of a box around everything that needs the

@@ -20,7 +20,7 @@ SharedTile TileCache::get(const TileId& id)
         places_[number] = entries_.begin();
     }
     try {
-        auto tile = std::make_shared<const TerrainTile>(parts_ == TileParts::all ? pyramid_.read(id) : pyramid_.read_heights(id));
+        auto tile = std::make_shared<const TerrainTile>(pyramid_.read(id, parts_));
         promise.set_value(tile);
         keep(number, tile->bytes());
         return tile;

@@ -13,12 +13,6 @@ namespace limn {
 
 using SharedTile = std::shared_ptr<const TerrainTile>;
 
-/// What is read of tiles.
-enum class TileParts {
-    all,
-    heights ///< no bounds: in a quarter of the memory and less time
-};
-
 /// The tiles of a pyramid that were used last, within a budget. For any number of threads.
 class TileCache {
 public:

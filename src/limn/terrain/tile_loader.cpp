@@ -18,14 +18,14 @@ TileLoader::~TileLoader()
         thread.request_stop();
 }
 
-void TileLoader::want(const std::vector<TileId>& tiles)
+void TileLoader::want(const std::vector<TileRequest>& tiles)
 {
     {
         const std::lock_guard held(lock_);
         wanted_.clear();
         for (auto tile = tiles.rbegin(); tile != tiles.rend(); ++tile)
             if (std::find(reading_.begin(), reading_.end(), *tile) == reading_.end() &&
-                std::none_of(arrived_.begin(), arrived_.end(), [&](const Arrival& arrival) { return arrival.id == *tile; }))
+                std::none_of(arrived_.begin(), arrived_.end(), [&](const Arrival& arrival) { return arrival.request == *tile; }))
                 wanted_.push_back(*tile);
     }
     changed_.notify_all();
@@ -43,12 +43,12 @@ void TileLoader::wait()
     changed_.wait(held, [&] { return !arrived_.empty() || (wanted_.empty() && reading_.empty()); });
 }
 
-std::vector<TileId> TileLoader::under_way() const
+std::vector<TileRequest> TileLoader::under_way() const
 {
     const std::lock_guard held(lock_);
-    std::vector<TileId> tiles = reading_;
+    std::vector<TileRequest> tiles = reading_;
     for (const Arrival& arrival : arrived_)
-        tiles.push_back(arrival.id);
+        tiles.push_back(arrival.request);
     return tiles;
 }
 
@@ -56,18 +56,18 @@ void TileLoader::work(const std::stop_token& stop)
 {
     std::unique_lock held(lock_);
     while (changed_.wait(held, stop, [&] { return !wanted_.empty(); })) {
-        const TileId id = wanted_.back();
+        const TileRequest request = wanted_.back();
         wanted_.pop_back();
-        reading_.push_back(id);
+        reading_.push_back(request);
         held.unlock();
-        Arrival arrival = {id, nullptr, {}};
+        Arrival arrival = {request, nullptr, {}};
         try {
-            arrival.tile = std::make_shared<const TerrainTile>(pyramid_.read(id));
+            arrival.tile = std::make_shared<const TerrainTile>(pyramid_.read(request.id, request.parts));
         } catch (const std::exception& error) {
             arrival.fault = error.what();
         }
         held.lock();
-        reading_.erase(std::find(reading_.begin(), reading_.end(), id));
+        reading_.erase(std::find(reading_.begin(), reading_.end(), request));
         arrived_.push_back(std::move(arrival));
         changed_.notify_all();
     }
