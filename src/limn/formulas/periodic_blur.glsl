@@ -9,6 +9,7 @@ const int KERNEL_GAUSS = 2; // round, of so many pixels' standard deviation
 
 const float NARROW_GAUSS = 0.125f; // standard deviation up to which a kernel meets one tooth, and beyond which no wave is left; periods
 const float WIDEST_GAUSS = 0.9f;
+const float LEAST_WAVE = 1e-6f; // what is left of a wave that no longer counts
 
 // A kernel along a coordinate that counts periods.
 struct Blur {
@@ -61,7 +62,7 @@ FORMULA vec2 narrow_gauss_saw(const float x, const float sigma)
 {
     float off = x - floor(x + 0.5f);
     float z = abs(off) / sigma;
-    if (z > 5.5f)
+    if (z > 4.5f)
         return vec2(off + (off < 0.0f ? 0.5f : -0.5f), off * off + sigma * sigma + 1.0f / 6.0f - abs(off));
     float density = 0.398942280f * exp(-0.5f * z * z);
     float t = 1.0f / (1.0f + 0.2316419f * z);
@@ -90,22 +91,41 @@ FORMULA vec2 turn_difference(const vec2 a, const vec2 b)
     return vec2(a.x * b.y - a.y * b.x, a.y * b.y + a.x * b.x);
 }
 
-// The Fourier series, of which a wide kernel leaves few terms: by the turn of x, and by what is left of the first wave.
-FORMULA vec2 wide_gauss_saw(const vec2 turn, const float fade_of_first)
+// Saw and parabola at a place, and half a period on.
+struct SawPair {
+    vec2 here;
+    vec2 half_on;
+};
+
+// One wave of their Fourier series, by the turn of k x.
+FORMULA vec2 saw_wave(const vec2 turn, const float k, const float fade)
+{
+    float size = fade / (3.14159265359f * k);
+    return vec2(-turn.x * size, turn.y * size / (3.14159265359f * k));
+}
+
+// The Fourier series, of which a wide kernel leaves few terms: by the turn of x, and by what is left of the first wave. Half a period on, odd
+// waves have the other sign.
+FORMULA SawPair wide_gauss_saws(const vec2 turn, const float fade_of_first)
 {
     float q2 = fade_of_first * fade_of_first;
     vec2 all = turn; // of k turns
     float fade = fade_of_first; // its k^2-th power
     float step_of_fade = fade_of_first * q2;
-    vec2 sum = vec2(0.0f, 0.0f);
-    for (int k = 1; k <= 6; ++k) { // a fixed number: devices take it apart
-        float kk = float(k);
-        sum = sum + vec2(-all.x / (3.14159265359f * kk), all.y / (9.86960440109f * kk * kk)) * fade;
+    vec2 odd = vec2(0.0f, 0.0f);
+    vec2 even = vec2(0.0f, 0.0f);
+    for (int k = 1; k < 6 && fade > LEAST_WAVE; k += 2) {
+        odd = odd + saw_wave(all, float(k), fade);
+        all = turn_sum(all, turn);
+        fade = fade * step_of_fade;
+        step_of_fade = step_of_fade * q2;
+        even = even + saw_wave(all, float(k + 1), fade);
         all = turn_sum(all, turn);
         fade = fade * step_of_fade;
         step_of_fade = step_of_fade * q2;
     }
-    return sum;
+    SawPair both = {even + odd, even - odd};
+    return both;
 }
 
 // A square whose sides change x by a >= b, a + b <= 1, and the one tooth that it meets.
@@ -151,14 +171,26 @@ FORMULA vec2 wide_box_saw(const float x, const float a, const float b)
     return (saw_integral_2(x + outer) - saw_integral_2(x + inner) - saw_integral_2(x - inner) + saw_integral_2(x - outer)) / (a * b);
 }
 
-// Saw and parabola at x through the kernel. `turn` is turn_of(x); it is not looked at where the kernel has no fade.
-FORMULA vec2 blurred_saw_turned(const float x, const vec2 turn, const Blur blur)
+// Whether a kernel is so wide that waves are added up.
+FORMULA bool is_wide(const Blur blur)
+{
+    return blur.kernel == KERNEL_GAUSS && blur.a > NARROW_GAUSS;
+}
+
+// Saw and parabola at x through a kernel that is not.
+FORMULA vec2 narrow_saw(const float x, const Blur blur)
 {
     if (blur.kernel == KERNEL_NONE)
         return sharp_saw(x);
     if (blur.kernel == KERNEL_GAUSS)
-        return blur.a <= NARROW_GAUSS ? narrow_gauss_saw(x, blur.a) : wide_gauss_saw(turn, blur.fade);
+        return narrow_gauss_saw(x, blur.a);
     return blur.a + blur.b <= 1.0f ? narrow_box_saw(x, blur.a, blur.b) : wide_box_saw(x, blur.a, blur.b);
+}
+
+// Through any kernel. `turn` is turn_of(x); it is not looked at where the kernel has no fade.
+FORMULA vec2 blurred_saw_turned(const float x, const vec2 turn, const Blur blur)
+{
+    return is_wide(blur) ? wide_gauss_saws(turn, blur.fade).here : narrow_saw(x, blur);
 }
 
 FORMULA vec2 blurred_saw(const float x, const Blur blur)
