@@ -3,41 +3,6 @@
 #pragma once
 #include "limn/formulas/bricks.glsl"
 
-// Blurred saws at the start of a cell, at the end of its first ramp, and as far before its start.
-struct BrickSaws {
-    SawPair start;
-    SawPair after;
-    SawPair before;
-};
-
-// `halves` tells whether the saws half a period on are wanted; else they are those here.
-FORMULA BrickSaws brick_saws(const float x, const float ramp, const bool halves, const Blur blur)
-{
-    BrickSaws s;
-    if (is_wide(blur)) {
-        vec2 turn = turn_of(x);
-        vec2 ramp_turn = turn_of(ramp);
-        s.start = wide_gauss_saws(turn, blur.fade);
-        s.after = wide_gauss_saws(turn_difference(turn, ramp_turn), blur.fade);
-        s.before = wide_gauss_saws(turn_sum(turn, ramp_turn), blur.fade);
-    } else {
-        s.start.here = narrow_saw(x, blur);
-        s.after.here = narrow_saw(x - ramp, blur);
-        s.before.here = narrow_saw(x + ramp, blur);
-        if (halves) {
-            s.start.half_on = narrow_saw(x + 0.5f, blur);
-            s.after.half_on = narrow_saw(x + 0.5f - ramp, blur);
-            s.before.half_on = narrow_saw(x + 0.5f + ramp, blur);
-        }
-    }
-    if (!halves) {
-        s.start.half_on = s.start.here;
-        s.after.half_on = s.after.here;
-        s.before.half_on = s.before.here;
-    }
-    return s;
-}
-
 // One axis of the cell under a kernel.
 struct BrickAxis {
     float up;         // shares of the kernel: on the ramp up, on the top, on the ramp down
@@ -91,7 +56,7 @@ FORMULA BrickAxes shifted_axes(const float x, const float m, const float odd_row
 {
     bool halves = odd_rows > 1e-4f && odd_rows < 1.0f - 1e-4f && blur_variance(blur) < 0.8f;
     float at = !halves && odd_rows > 0.5f ? x + 0.5f : x;
-    BrickSaws s = brick_saws(at, m, halves, blur);
+    SawEnds s = blurred_saw_ends(at, m, halves, blur);
     BrickAxes axes;
     axes.even = brick_axis(s.start.here, s.after.here, s.before.here, s.start.here, m, 1.0f);
     axes.odd = axes.even;
@@ -121,7 +86,7 @@ FORMULA BrickShares brick_shares(const BrickPattern b, const PatternPoint p, con
     vec3 at = p.position / b.cell;
     Blur along_x = blur_along(kernel, width, vec2(p.right.x, p.down.x) / b.cell.x);
     Blur pairs = blur_along(kernel, width, vec2(p.right.y, p.down.y) * (0.5f / b.cell.y)); // of rows
-    BrickSaws rows = brick_saws(0.5f * at.y, 0.5f * m.y, true, pairs);
+    SawEnds rows = blurred_saw_ends(0.5f * at.y, 0.5f * m.y, true, pairs);
     float odd_rows = 0.5f + rows.start.here.x - rows.start.half_on.x;
     BrickAxes across = shifted_axes(at.x, m.x, odd_rows, along_x);
     BrickAxis y_even = brick_axis(rows.start.here, rows.after.here, rows.before.half_on, rows.start.half_on, 0.5f * m.y, 0.5f);
@@ -176,13 +141,20 @@ FORMULA RampSlopes ramp_slopes(const vec3 place, const vec3 spread, const vec3 s
     return s;
 }
 
-// Matte mortar needs no more of a normal than its cosine to the light and to the sky. Here n holds those (x: light, y: sky) of the surface;
-// those of the axes along it are in light and sky, the squares of their lengths in square. Of ramps so steep, with these weights.
-FORMULA vec2 slopes_lit(const vec3 slope, const vec3 weight, const vec2 n, const vec3 light, const vec3 sky, const vec3 square)
+// Matte mortar needs no more of a normal than its cosine to the light and to the sky. Here n and axis are those (x: light, y: sky) of the surface and of
+// the axis along it, square is that axis's own, and slope is that of the ramp.
+FORMULA vec2 slope_lit(const float slope, const vec2 n, const vec2 axis, const float square)
 {
-    vec3 part = weight * inversesqrt(vec3(1.0f, 1.0f, 1.0f) + slope * slope * square);
-    vec3 none = vec3(0.0f, 0.0f, 0.0f);
-    return vec2(dot(max(vec3(n.x, n.x, n.x) - light * slope, none), part), dot(vec3(n.y, n.y, n.y) - sky * slope, part));
+    vec2 d = (n - axis * slope) * inversesqrt(1.0f + slope * slope * square);
+    return vec2(max(d.x, 0.0f), d.y);
+}
+
+// The same of a ramp that has two slopes, times its share.
+FORMULA vec2 ramp_lit(const float share, const float low, const float high, const vec2 n, const vec2 axis, const float square)
+{
+    if (share < 1e-6f)
+        return vec2(0.0f, 0.0f);
+    return (slope_lit(low, n, axis, square) + slope_lit(high, n, axis, square)) * (0.5f * share);
 }
 
 // What the kernel sees of mortar.
@@ -252,11 +224,17 @@ FORMULA vec3 matte_bricks(const BrickPattern b, const vec3 brick, const MortarSh
     vec2 flat_light = vec2(dot(n, lit.to_light), dot(n, lit.up));
     vec3 light = lit.to_light - n * flat_light.x; // along the surface
     vec3 sky = lit.up - n * flat_light.y;
+    vec2 x = vec2(light.x, sky.x);
+    vec2 y = vec2(light.y, sky.y);
+    vec2 z = vec2(light.z, sky.z);
     vec3 square = vec3(1.0f, 1.0f, 1.0f) - n * n;
-    vec2 ramps = slopes_lit(w.rise.low, w.up, flat_light, light, sky, square) + slopes_lit(w.rise.high, w.up, flat_light, light, sky, square) +
-                 slopes_lit(-w.fall.low, w.down, flat_light, light, sky, square) + slopes_lit(-w.fall.high, w.down, flat_light, light, sky, square);
-    vec3 bent = corner_normal(w, n);
-    vec2 mortar = 0.5f * ramps + vec2(facing(bent, lit.to_light), dot(bent, lit.up)) * w.corner;
+    vec2 mortar = ramp_lit(w.up.x, w.rise.low.x, w.rise.high.x, flat_light, x, square.x) + ramp_lit(w.down.x, -w.fall.low.x, -w.fall.high.x, flat_light, x, square.x) +
+                  ramp_lit(w.up.y, w.rise.low.y, w.rise.high.y, flat_light, y, square.y) + ramp_lit(w.down.y, -w.fall.low.y, -w.fall.high.y, flat_light, y, square.y) +
+                  ramp_lit(w.up.z, w.rise.low.z, w.rise.high.z, flat_light, z, square.z) + ramp_lit(w.down.z, -w.fall.low.z, -w.fall.high.z, flat_light, z, square.z);
+    if (w.corner > 1e-5f) {
+        vec3 bent = corner_normal(w, n);
+        mortar = mortar + vec2(facing(bent, lit.to_light), dot(bent, lit.up)) * w.corner;
+    }
     return brick * matte_light(lit, vec2(max(flat_light.x, 0.0f), flat_light.y) * w.brick, w.brick) + b.mortar * matte_light(lit, mortar, 1.0f - w.brick);
 }
 
