@@ -169,7 +169,9 @@ TEST_F(GpuPattern, ThreadShowsAllSidesOfWhateverModel)
             place.transforms.push_back(p.transform);
         ShadeOptions shade;
         shade.samples = 4;
-        EXPECT_LE(share_of_other_pixels(on_device(renderer, seen, camera, options, place, shade), paint_pattern(seen, camera, options, place, shade), 2.0 / 255), 0.001)
+        EXPECT_LE(share_of_other_pixels(on_device(renderer, seen, camera, options, place, shade),
+                                        paint_pattern(seen, camera, options, place, shade), 2.0 / 255),
+                  0.001)
             << name;
     };
     compare(alone, dvec3(2, 3, 2), "a ball");

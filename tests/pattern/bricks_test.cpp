@@ -100,7 +100,8 @@ TEST(Bricks, RampsHaveTheSharesAndPlacesOfSamples)
     const int n = 4001;
     for (int i = 0; i < 60; ++i) {
         Random random(31, std::uint64_t(i));
-        const float sigma = float(std::exp(random.uniform(std::log(0.01), std::log(1.2)))), x = float(random.uniform(-2, 2)), odd = float(i % 3) * 0.5f;
+        const float sigma = float(std::exp(random.uniform(std::log(0.01), std::log(1.2)))), x = float(random.uniform(-2, 2)),
+                    odd = float(i % 3) * 0.5f;
         const BrickAxes axes = shifted_axes(x, m, odd, blur_of(KERNEL_GAUSS, sigma, 0));
         double shares[2][3] = {}, places[2][2] = {}, all = 0;
         for (int k = 0; k < n; ++k) {

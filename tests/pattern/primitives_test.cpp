@@ -129,7 +129,8 @@ TEST(PeriodicBlur, TheSeriesKnowsThePlaceHalfAPeriodOnToo)
 {
     for (const float sigma : {0.126f, 0.2f, 0.35f, 0.6f, 0.9f})
         for (float x = -1; x < 1; x += 0.037f) {
-            const vec2 on = wide_gauss_saws(turn_of(x), gauss_fade(sigma)).half_on, wanted = blurred_saw(x + 0.5f, blur_of(KERNEL_GAUSS, sigma, 0));
+            const vec2 on = wide_gauss_saws(turn_of(x), gauss_fade(sigma)).half_on,
+                       wanted = blurred_saw(x + 0.5f, blur_of(KERNEL_GAUSS, sigma, 0));
             EXPECT_NEAR(on.x, wanted.x, 2e-6f) << sigma;
             EXPECT_NEAR(on.y, wanted.y, 2e-6f) << sigma;
         }

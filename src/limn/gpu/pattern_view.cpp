@@ -163,9 +163,8 @@ PatternRenderer::Targets::Targets(const ivec2& of, bool through, bool edges)
 
 PatternRenderer::PatternRenderer(const LineModel& model, int largest_tile)
     : model_(model), largest_tile_(largest_tile), buffers_(model), faces_(faces_of(model)), fronts_only_(shows_fronts_only(model)),
-      surface_(surface_program(false)), behind_(surface_program(true)), backdrop_(backdrop_program(false)),
-      ground_(backdrop_program(true)), mask_(load_program({"fill.vert", "pattern_mask.frag"})),
-      edges_(edges_program()), gather_(load_program({"lit_gather.comp"})),
+      surface_(surface_program(false)), behind_(surface_program(true)), backdrop_(backdrop_program(false)), ground_(backdrop_program(true)),
+      mask_(load_program({"fill.vert", "pattern_mask.frag"})), edges_(edges_program()), gather_(load_program({"lit_gather.comp"})),
       resolve_(load_program({"pattern_resolve.comp"})), no_vertices_(make_vertex_array())
 {
 }
