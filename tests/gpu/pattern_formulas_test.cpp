@@ -93,7 +93,7 @@ float edge_term(const ThreadPattern& c, const vec3& n, const vec3& right, const 
 
 std::vector<float> on_device(const std::string& body, const std::vector<Point>& all)
 {
-    const std::string text = fmt::format(R"(#include "limn/formulas/bricks.glsl"
+    const std::string text = fmt::format(R"(#include "limn/formulas/brick_filter.glsl"
 #include "limn/formulas/thread.glsl"
 #include "limn/formulas/print_layers.glsl"
 #include "limn/formulas/supersampling.glsl"
@@ -138,12 +138,12 @@ const Formula formulas_of_patterns[] = {
     BOTH("blur_along, blur_variance", Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(x.x, x.y)); Blur b = blur_along(KERNEL_BOX, 2.0f, vec2(x.x, x.y));
          Blur h = blur_along(KERNEL_BOX, 1.0f, vec2(1e-7f, 0.0f)); r[0] = g.a; r[1] = b.a; r[2] = b.b; r[3] = blur_variance(g); r[4] = blur_variance(b); r[5] = float(h.kernel);
          s[0] = 5.0f; s[1] = 10.0f; s[2] = 10.0f; s[3] = 10.0f; s[4] = 10.0f;),
-    BOTH("sharp_saw, narrow_gauss_saw, wide_gauss_saw", vec2 a = sharp_saw(x.x); vec2 b = narrow_gauss_saw(x.x, 0.001f + 0.124f * k.x); vec2 c = wide_gauss_saw(turn_of(x.x), gauss_fade(0.125f + k.x));
-         r[0] = a.x; r[1] = a.y; r[2] = b.x; r[3] = b.y; r[4] = c.x; r[5] = c.y; s[2] = 1.0f + 0.01f / (0.001f + 0.124f * k.x);),
+    BOTH("sharp_saw, narrow_gauss_saw, saw_wave, wide_gauss_saws", vec2 a = sharp_saw(x.x); vec2 b = narrow_gauss_saw(x.x, 0.001f + 0.124f * k.x); SawPair c = wide_gauss_saws(turn_of(x.x), gauss_fade(0.125f + k.x));
+         r[0] = a.x; r[1] = a.y + saw_wave(turn_of(x.y), 2.0f, k.y).y; r[2] = b.x; r[3] = b.y; r[4] = c.here.x - c.half_on.y; r[5] = c.here.y + c.half_on.x; s[2] = 1.0f + 0.01f / (0.001f + 0.124f * k.x);),
     BOTH("narrow_box_saw, saw_integral_2, wide_box_saw", float a = 0.01f + 0.5f * k.x; vec2 u = narrow_box_saw(x.x, a, a * k.y); vec2 w = wide_box_saw(x.x, 0.5f + k.x, 0.5f + 0.5f * k.y);
          vec2 thin = saw_integral_2(x.x) + wide_box_saw(x.x, 0.9995f + k.x, 0.0005f); r[0] = u.x; r[1] = u.y; r[2] = w.x; r[3] = w.y; r[4] = thin.x; r[5] = thin.y; s[0] = 1.0f + 0.01f / a;),
-    BOTH("blur_of, turn_of, turn_sum, turn_difference, blurred_saw_turned", vec2 a = turn_of(x.x); vec2 b = turn_of(x.y); vec2 c = turn_sum(a, b); vec2 d = turn_difference(a, b);
-         Blur g = blur_of(KERNEL_GAUSS, 0.13f + 0.5f * k.x, 0.0f); vec2 e = blurred_saw_turned(x.x, a, g); r[0] = a.x; r[1] = c.x; r[2] = c.y; r[3] = d.x; r[4] = e.x; r[5] = e.y;),
+    BOTH("blur_of, is_wide, narrow_saw, turn_of, turn_sum, turn_difference, blurred_saw_turned", vec2 a = turn_of(x.x); vec2 b = turn_of(x.y); vec2 c = turn_sum(a, b); vec2 d = turn_difference(a, b);
+         Blur g = blur_of(KERNEL_GAUSS, 0.13f + 0.5f * k.x, 0.0f); vec2 e = blurred_saw_turned(x.x, a, g); r[0] = a.x; r[1] = c.x; r[2] = c.y; r[3] = d.x; r[4] = e.x + narrow_saw(x.y, blur_of(KERNEL_BOX, 0.1f + 0.4f * k.y, 0.1f * k.y)).y; r[5] = e.y + (is_wide(blur_of(KERNEL_GAUSS, 0.25f * k.z, 0.0f)) ? 1.0f : 0.0f);),
     BOTH("blurred_saw, blurred_pulse, stretch_under", Blur g = blur_along(KERNEL_GAUSS, 1.0f, vec2(0.4f * k.x, 0.4f * k.y)); Blur b = blur_along(KERNEL_BOX, 2.0f, vec2(0.2f + k.x, 0.2f + k.y));
          Stretch m = stretch_under(blurred_saw(x.x, b), blurred_saw(x.x - 0.4f, b), 0.4f, b); r[0] = blurred_pulse(x.x, x.y, k.z, g); r[1] = blurred_pulse(x.x, x.y, k.z, b); r[2] = m.weight;
          r[3] = m.middle * m.weight; r[4] = m.spread; s[0] = 1.0f + 0.02f / (g.a + 0.001f); s[1] = 2.0f;),
@@ -157,9 +157,9 @@ const Formula formulas_of_patterns[] = {
          r[5] = hair_specular(n, l, v, 1.0f + 9.0f * k.x, -1.0f); s[0] = 20.0f + 40.0f * r[0]; s[1] = 20.0f; s[2] = 20.0f; s[4] = 10.0f; s[5] = 10.0f;),
     BOTH("step_on_plane, change_per_pixel", PatternPoint p = spot(n, v, t, x, k); vec3 a = step_on_plane(l, v, n); vec2 c = change_per_pixel(p, l); float steep = 1.0f + 1.0f / max(abs(dot(v, n)), 1e-4f);
          r[0] = a.x; r[1] = a.y; r[2] = c.x; r[3] = c.y; s[0] = steep * steep; s[1] = s[0];),
-    BOTH("framed, pattern_sight, way_to_eye, seen_point, plane_place", mat3 turn = mat3(n, t, cross(n, t)); PatternEye e = {framed(turn, 2.0f, l, v) * 3.0f, l, 0.01f * t, 0.01f * n, vec2(50.0f, 40.0f), k.x > 0.5f ? 1 : 0};
+    BOTH("framed, pattern_sight, place_at_depth, way_to_eye, seen_point, plane_place", mat3 turn = mat3(n, t, cross(n, t)); PatternEye e = {framed(turn, 2.0f, l, v) * 3.0f, l, 0.01f * t, 0.01f * n, vec2(50.0f, 40.0f), k.x > 0.5f ? 1 : 0};
          vec3 at = vec3(x.x, x.y, x.z); vec2 pixel = vec2(100.0f * k.y, 80.0f * k.z); vec3 to = way_to_eye(e, at); PatternPoint p = seen_point(e, at, n, to, to); vec3 moved = plane_place(e, at, to, pixel, pixel + vec2(k.x, k.y));
-         r[0] = pattern_sight(e, pixel).x; r[1] = to.y; r[2] = p.right.x; r[3] = p.down.z; r[4] = abs(dot(normalize(pattern_sight(e, pixel)), to)) < 0.3f ? 0.0f : moved.y; s[0] = 2.0f; s[2] = 2.0f; s[3] = 2.0f; s[4] = 400.0f;),
+         r[0] = pattern_sight(e, pixel).x; r[1] = to.y; r[2] = p.right.x; r[3] = p.down.z; r[4] = abs(dot(normalize(pattern_sight(e, pixel)), to)) < 0.3f ? 0.0f : moved.y; r[5] = place_at_depth(e, pixel, 3.0f * x.w).z; s[0] = 2.0f; s[2] = 2.0f; s[3] = 2.0f; s[4] = 400.0f; s[5] = 10.0f;),
     BOTH("shown_light, cusp_height, cusp_light, is_outline", SeenPlace a = {vec3(x.x, x.y, x.z), n, 0.01f}; SeenPlace b = {vec3(x.x, x.y, x.z) + 0.1f * k.x * t, v, 0.01f}; SeenPlace gone = {l, n, 0.0f};
          r[0] = shown_light(vec3(3.0f * k.x, k.y, 0.8f)).x; r[1] = cusp_height(0.2f, x.x); r[2] = cusp_light(n, v); r[3] = is_outline(a, b) ? 1.0f : 0.0f; r[4] = is_outline(a, gone) && !is_outline(gone, gone) ? 1.0f : 0.0f;),
     BOTH("window_direction, meet_plane, meet_sphere", mat4 back = mat4(0.5f, 0.0f, 0.0f, 0.0f, 0.0f, 0.4f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, -5.0f, 0.0f, 0.0f, -1.0f, 5.0f);
@@ -169,21 +169,28 @@ const Formula formulas_of_patterns[] = {
          r[3] = bevel(0.2f, k.x); r[4] = bevel_slope(0.2f, k.x); r[5] = bevel_difference(0.2f, k.y, 0.05f); s[1] = 20.0f; s[4] = 20.0f; s[5] = 40.0f;),
     BOTH("bumped, bump_gradient, brick_gradient, brick_colour", BrickPattern b = wall(2, k); vec3 g = brick_gradient(b, vec3(x.x, x.y, x.z)); vec3 h = bump_gradient(b, l, v); r[0] = bumped(n, 2.0f * l).x;
          r[1] = g.x; r[2] = g.y; r[3] = h.z; r[4] = brick_colour(b, vec3(x.x, x.y, x.z) * 10.0f, k.x).x; s[0] = 10.0f; s[1] = 40.0f; s[2] = 40.0f;),
-    BOTH("brick_rows", Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickRows a = brick_rows(x.x, 0.1f, k.z, g); r[0] = a.straight.weight[0]; r[1] = a.shifted.weight[1]; s[0] = 2.0f; s[1] = 2.0f;),
-    BOTH("brick_at, brick_axis, brick_shares, ramps, bricks_through", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); BrickPattern b = wall(3, k); Finish f = plastic(FINISH_MATTE, k);
-         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxis a = brick_axis_at(x.x, turn_of(x.x), 0.1f, turn_of(0.1f), g);
-         BrickAxis c = brick_axis(blurred_saw(x.y, g), blurred_saw(x.y - 0.05f, g), blurred_saw(x.y - 0.45f, g), blurred_saw(x.y - 0.5f, g), 0.1f, 0.5f, g); vec3 places = vec3(k.x, k.y, k.z);
-         r[0] = brick_at(b, f, p.position, p.normal, v, lit).x + slope_light(x.x, vec2(k.x, k.y), vec2(k.z, k.w), k.x).x + ramp_light(6.0f * x.x, k.x, 0.3f * k.y, vec2(k.x, k.y), vec2(k.z, k.w), 0.5f).y; r[1] = a.weight[0] + c.weight[2] + brick_shares(b, p, KERNEL_GAUSS, 0.5f).wide; r[2] = a.weight[0] * a.middle[0] + ramp_height(k.x, 0) + ramp_slope(k.x, 0.1f, 2);
-         r[3] = ramp_radiance(b, f, p, t, 0, 1, 2, places, lit).x + ramp_mean(b, f, p, t, 0, 1, 1, places, 0.2f, lit).y; r[4] = bricks_through(b, f, p, KERNEL_GAUSS, 0.5f, lit).x;
-         r[5] = bricks_through(wall(2, k), plastic(FINISH_GGX, k), p, KERNEL_BOX, 2.0f, lit).y; s[0] = 40.0f; s[1] = 2.0f; s[2] = 20.0f; s[3] = 40.0f; s[4] = 40.0f; s[5] = 40.0f;),
+    BOTH("blurred_saw_ends, ramp_under, brick_axis, shifted_axes, ramp_spread", Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(k.x, k.y)); BrickAxes a = shifted_axes(x.x, 0.1f, k.z, g); SawEnds w = blurred_saw_ends(x.y, 0.05f, true, g);
+         BrickAxis c = brick_axis(w.start.here, w.after.here, w.before.half_on, w.start.half_on, 0.05f, 0.5f); vec2 u = ramp_under(w.start.half_on, w.after.half_on, 0.05f); r[0] = a.even.up; r[1] = a.odd.top; r[2] = a.odd.down_place;
+         r[3] = c.top + ramp_spread(0.1f, g); r[4] = u.x; r[5] = u.y; s[0] = 2.0f; s[1] = 2.0f; s[2] = 2.0f; s[3] = 2.0f; s[4] = 2.0f; s[5] = 10.0f;),
+    BOTH("brick_rows, brick_shares, brick_share, mortar_shares", PatternPoint p = spot(n, v, t, x, k); BrickPattern b = wall(3, k); BrickShares a = brick_shares(b, p, KERNEL_GAUSS, 0.5f); MortarShares w = mortar_shares(b, a); BrickAxis axis = {k.x, k.y, k.z, k.w, k.x};
+         BrickRows rows = brick_rows(axis, axis, axis); r[0] = a.wide; r[1] = a.even.top.z + rows.up_place.y; r[2] = brick_share(a); r[3] = w.up.x + w.down.y; r[4] = w.corner; r[5] = w.gradient.y; s[0] = 20.0f; s[1] = 4.0f; s[2] = 4.0f; s[3] = 4.0f; s[4] = 4.0f; s[5] = 40.0f;),
+    BOTH("others, mean_place, ramp_slopes, slope_lit, ramp_lit, corner_gradient, corner_square", vec3 place = mean_place(vec3(k.x, k.y, k.z) * k.w, vec3(k.w, 1.0f, 0.5f)); RampSlopes a = ramp_slopes(place, 0.3f * vec3(k.y, k.z, k.x), 6.0f * l); vec3 part = 0.3f * vec3(k.w, k.x, k.y);
+         BrickRows rows = {part, vec3(1.0f, 1.0f, 1.0f) - 2.0f * part, part, part * k.x, part * k.y}; r[0] = others(n).y; r[1] = place.x; r[2] = a.low.x + a.height.y; r[3] = slope_lit(a.high.x, vec2(n.x, n.y), vec2(l.x, v.x), 1.0f - n.x * n.x).x + ramp_lit(part.y, a.low.y, a.high.y, vec2(n.x, n.y), vec2(l.y, v.y), 1.0f - n.y * n.y).y;
+         r[4] = corner_gradient(rows, a, a).z; r[5] = corner_square(rows, a, a); s[2] = 2.0f; s[3] = 3.0f; s[4] = 5.0f; s[5] = 5.0f;),
+    BOTH("brick_at, any_tangent, corner_normal, matte_light, matte_bricks", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); BrickPattern b = wall(3, k); MortarShares w = mortar_shares(b, brick_shares(b, p, KERNEL_GAUSS, 0.5f));
+         r[0] = brick_at(b, plastic(FINISH_MATTE, k), p.position, p.normal, v, lit).x; r[1] = any_tangent(n).z; r[2] = w.corner * corner_normal(w, p.normal).x; r[3] = matte_light(lit, vec2(k.x, k.y), k.z).y; r[4] = matte_bricks(b, vec3(0.5f, 0.4f, 0.3f), w, p.normal, lit).z;
+         s[0] = 40.0f; s[1] = 4.0f; s[2] = 40.0f; s[3] = 4.0f; s[4] = 40.0f;),
+    BOTH("ramp_radiance, glossy_bricks, bricks_through", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); BrickPattern b = wall(3, k); Finish f = plastic(FINISH_GGX, k); BrickShares a = brick_shares(b, p, KERNEL_GAUSS, 0.5f); MortarShares w = mortar_shares(b, a);
+         r[0] = ramp_radiance(f, p, t, vec3(0.0f, 1.0f, 0.0f), x.x, x.y, lit).x; r[1] = glossy_bricks(b, f, a, w, p, lit).y; r[2] = bricks_through(b, plastic(FINISH_MATTE, k), p, KERNEL_GAUSS, 0.5f, lit).x;
+         r[3] = bricks_through(wall(2, k), f, p, KERNEL_BOX, 2.0f, lit).y; s[0] = 40.0f; s[1] = 40.0f; s[2] = 40.0f; s[3] = 40.0f;),
     BOTH("sphere_place, sphere_change, tangents", vec2 at = sphere_place(n); vec2 c = sphere_change(n, l); float across = n.x * n.x + n.z * n.z; r[0] = abs(n.y) > 0.99f || abs(n.x) < 1e-3f ? 0.0f : at.x; r[1] = abs(n.y) > 0.99f ? 0.0f : at.y;
          r[2] = across < 0.01f ? 0.0f : c.x; r[3] = across < 0.01f ? 0.0f : c.y; r[4] = level_tangent(n).x; r[5] = upright_tangent(n).y; s[0] = 5.0f; s[1] = 50.0f; s[2] = 100.0f; s[3] = 20.0f;),
     BOTH("thread_part, thread_mask, thread_lit, thread_at", ThreadPattern c = cloth(1, k); Illumination lit = lights(l, k); vec2 at = sphere_place(n) / 0.1f; vec2 near = abs(fract(at) - vec2(0.5f, 0.5f)); vec2 off = abs(near - vec2(0.3f, 0.3f));
          float sure = abs(n.y) > 0.9f ? 0.0f : clamp(10.0f * min(min(off.x, off.y), min(0.5f - max(near.x, near.y), min(near.x, near.y))) - 0.05f, 0.0f, 1.0f); r[0] = thread_part(c); r[1] = float(thread_mask(c, vec2(10.0f * x.x, 10.0f * x.y)));
          r[2] = thread_lit(c, t, n, v, lit).x; r[3] = sure * thread_at(c, n, n, v, lit).y; s[2] = 40.0f; s[3] = 40.0f;),
-    BOTH("thread_through", ThreadPattern c = cloth(k.z > 0.5f ? 1 : 0, k); PatternPoint p = spot(n, v, t, vec4(n, 0.0f), k); Illumination lit = lights(l, k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f;
-         vec4 a = thread_through(c, p, KERNEL_GAUSS, 0.5f, lit); vec4 b = thread_through(c, p, KERNEL_BOX, 2.0f, lit); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; r[2] = sure ? b.y : 0.0f; r[3] = sure ? b.w : 0.0f;
-         s[1] = edge_term(c, n, p.right, p.down); s[0] = 2.0f * s[1]; s[2] = s[0]; s[3] = s[1];),
+    BOTH("thread_shares, thread_through", ThreadPattern c = cloth(k.z > 0.5f ? 1 : 0, k); PatternPoint p = spot(n, v, t, vec4(n, 0.0f), k); Illumination lit = lights(l, k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f;
+         vec4 a = thread_through(c, p, KERNEL_GAUSS, 0.5f, lit); vec4 b = thread_through(c, p, KERNEL_BOX, 2.0f, lit); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; r[2] = sure ? b.y : 0.0f; r[3] = sure ? b.w : 0.0f; Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(0.02f + k.x, k.y)); vec2 odd = thread_shares(x.x, 0.3f, true, g);
+         r[4] = odd.x - odd.y + thread_shares(x.y, 0.3f, false, g).x; s[4] = 5.0f; s[1] = edge_term(c, n, p.right, p.down); s[0] = 2.0f * s[1]; s[2] = s[0]; s[3] = s[1];),
     BOTH("thread_around", ThreadPattern c = cloth(1, k); vec3 centre = vec3(0.1f, 0.2f, 0.3f); PatternPoint p = spot(n, v, t, vec4(centre + n * 1.5f, 0.0f), k); bool sure = abs(n.y) < 0.9f && k.x > 0.2f && abs(dot(n, v)) > 0.01f;
          vec4 a = thread_around(c, centre, p, KERNEL_GAUSS, 0.5f, lights(l, k)); r[0] = sure ? a.x : 0.0f; r[1] = sure ? a.w : 0.0f; s[1] = edge_term(c, n, p.right / 1.5f, p.down / 1.5f); s[0] = 2.0f * s[1];),
     BOTH("signed_tread, block_normal, seed_treads, block_radiance", PatternPoint p = spot(n, v, t, x, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);

@@ -145,6 +145,41 @@ TEST_F(GpuPattern, ThreadShowsItsFarSideAndTheBackgroundThroughItsHoles)
     EXPECT_GT(far, 1500);
 }
 
+// Sides are found otherwise where a model is closed and no front is behind another: a ball alone, a ball in a ball, a sheet, and a ball from inside.
+TEST_F(GpuPattern, ThreadShowsAllSidesOfWhateverModel)
+{
+    const Shape ball = make_shape({.name = "sphere", .triangles = 3000}), sheet = make_shape({.name = "bent-sheet", .triangles = 3000});
+    const dmat4 small = glm::scale(glm::translate(dmat4(1), dvec3(0.2, 0.1, 0)), dvec3(0.5));
+    const PlacedSurface alone[] = {{&ball.mesh, &ball.exact}}, nested[] = {{&ball.mesh, &ball.exact}, {&ball.mesh, &ball.exact, small}},
+                        open[] = {{&sheet.mesh, &sheet.exact}};
+    const auto compare = [](std::span<const PlacedSurface> placed, const dvec3& eye, const char* name) {
+        const LineModel model = build_line_model(placed);
+        const RayScene rays = build_ray_scene(model);
+        const SeenScene seen = seen_scene(model, rays);
+        gpu::PatternRenderer renderer(model);
+        Camera camera;
+        camera.eye = eye;
+        camera.look = seen.centre;
+        camera.size = {160, 120};
+        PatternOptions options;
+        options.kind = PatternKind::thread;
+        options.hole = 0.04, options.thread = 0.02;
+        PatternPlace place = standing();
+        for (const PlacedSurface& p : placed)
+            place.transforms.push_back(p.transform);
+        ShadeOptions shade;
+        shade.samples = 4;
+        EXPECT_LE(share_of_other_pixels(on_device(renderer, seen, camera, options, place, shade),
+                                        paint_pattern(seen, camera, options, place, shade), 2.0 / 255),
+                  0.001)
+            << name;
+    };
+    compare(alone, dvec3(2, 3, 2), "a ball");
+    compare(nested, dvec3(2, 3, 2), "a ball in a ball");
+    compare(open, dvec3(4, 5, 4), "a sheet");
+    compare(alone, dvec3(0.3, 0.2, 0.1), "a ball from inside");
+}
+
 TEST_F(GpuPattern, EachObjectMayHaveAPatternOfItsOwn)
 {
     const Shape torus = make_shape({.name = "torus", .triangles = 3000}), blob = make_shape({.name = "blob", .triangles = 3000});

@@ -93,6 +93,70 @@ TEST(Bricks, TheFilterOfBondedOnesAgreesWithSamples)
     }
 }
 
+// Shares of ramps and mean places on them, from near to far, of rows that start at 0 and of those that are shifted.
+TEST(Bricks, RampsHaveTheSharesAndPlacesOfSamples)
+{
+    const float m = 0.08f;
+    const int n = 4001;
+    for (int i = 0; i < 60; ++i) {
+        Random random(31, std::uint64_t(i));
+        const float sigma = float(std::exp(random.uniform(std::log(0.01), std::log(1.2)))), x = float(random.uniform(-2, 2)),
+                    odd = float(i % 3) * 0.5f;
+        const BrickAxes axes = shifted_axes(x, m, odd, blur_of(KERNEL_GAUSS, sigma, 0));
+        double shares[2][3] = {}, places[2][2] = {}, all = 0;
+        for (int k = 0; k < n; ++k) {
+            const double off = (k - n / 2) * 10.0 / n, weight = std::exp(-0.5 * off * off); // standard deviations
+            all += weight;
+            for (const int shifted : {0, 1}) {
+                const double at = double(x) + 0.5 * shifted + off * double(sigma), phase = at - std::floor(at);
+                const int part = phase < double(m) ? 0 : phase < 1 - double(m) ? 1 : 2;
+                shares[shifted][part] += weight;
+                if (part != 1)
+                    places[shifted][part / 2] += weight * std::min(phase, 1 - phase) / double(m);
+            }
+        }
+        for (const int shifted : {0, 1}) {
+            if (odd == (shifted == 1 ? 0.0f : 1.0f)) // there are no such rows
+                continue;
+            const BrickAxis& a = shifted == 1 ? axes.odd : axes.even;
+            EXPECT_NEAR(a.up, shares[shifted][0] / all, 2e-3) << sigma;
+            EXPECT_NEAR(a.top, shares[shifted][1] / all, 2e-3) << sigma;
+            EXPECT_NEAR(a.down, shares[shifted][2] / all, 2e-3) << sigma;
+            EXPECT_NEAR(a.up_place, places[shifted][0] / all, 2e-3) << sigma;
+            EXPECT_NEAR(a.down_place, places[shifted][1] / all, 2e-3) << sigma;
+        }
+    }
+}
+
+// Every state of a bevelled wall is lit: ramps of all sides, and the corners where they meet.
+TEST(Bricks, TheFilterOfBevelsAgreesWithSamples)
+{
+    double squares[2] = {};
+    constexpr int count = 400;
+    for (int i = 0; i < count; ++i) {
+        Random random(32, std::uint64_t(i));
+        const auto number = [&](double size) { return float(random.uniform(-size, size)); };
+        BrickPattern b = wall(i % 4 < 2 ? 2 : 3);
+        b.bump = vec3(0.006f) / b.cell;
+        b.bond = i % 4 == 3 ? 1 : 0;
+        const Finish f = {i % 2 == 0 ? FINISH_MATTE : FINISH_PHONG, vec3(1), 0.1f, 20, 1, 1, 0};
+        const vec3 n = {0, 0, 1}, to_eye = glm::normalize(vec3(number(0.5), number(0.5), 1));
+        const Illumination lit = {glm::normalize(vec3(number(1), number(1), 1)), vec3(2), 0, {0, 1, 0}, vec3(0.5f), vec3(0.1f)};
+        const float size = 0.005f * std::exp(float(random.uniform(0, 5)));
+        const PatternPoint p = {{number(2), number(2), 0.1f}, n, to_eye, vec3(size, 0, 0), vec3(0, size, 0)};
+        const vec3 filtered = bricks_through(b, f, p, KERNEL_BOX, 1, lit);
+        vec3 mean(0);
+        for (int k = 0; k < 4096; ++k) {
+            const vec3 at = p.position + (float(k % 64) + 0.5f - 32) / 64 * p.right + (float(k / 64) + 0.5f - 32) / 64 * p.down;
+            mean += brick_at(b, f, at, n, to_eye, lit) / 4096.0f;
+        }
+        const vec3 off = filtered - mean;
+        squares[i % 2] += double(glm::dot(off, off)) / (count / 2);
+    }
+    EXPECT_LT(std::sqrt(squares[0]), 0.0085) << "matte";
+    EXPECT_LT(std::sqrt(squares[1]), 0.021) << "with highlights";
+}
+
 TEST(Checklist11, BricksCanBeCarvedToASphere)
 {
     const BrickPattern b = wall(3);

@@ -117,12 +117,23 @@ TEST(PeriodicBlur, AgreesWithSamplesFromNarrowToWide)
 TEST(PeriodicBlur, IsContinuousWhereItsFormsMeet)
 {
     for (float x = 0; x < 1; x += 0.013f) {
-        EXPECT_NEAR(narrow_gauss_saw(x, 0.125f).x, wide_gauss_saw(turn_of(x), gauss_fade(0.125f)).x, 1e-4f);
-        EXPECT_NEAR(narrow_gauss_saw(x, 0.125f).y, wide_gauss_saw(turn_of(x), gauss_fade(0.125f)).y, 1e-5f);
+        EXPECT_NEAR(narrow_gauss_saw(x, 0.125f).x, wide_gauss_saws(turn_of(x), gauss_fade(0.125f)).here.x, 1e-4f);
+        EXPECT_NEAR(narrow_gauss_saw(x, 0.125f).y, wide_gauss_saws(turn_of(x), gauss_fade(0.125f)).here.y, 1e-5f);
         EXPECT_NEAR(narrow_box_saw(x, 0.7f, 0.3f).x, wide_box_saw(x, 0.7f, 0.3f).x, 2e-6f);
         EXPECT_NEAR(narrow_box_saw(x, 0.7f, 0.3f).y, wide_box_saw(x, 0.7f, 0.3f).y, 2e-6f);
         EXPECT_NEAR(wide_box_saw(x, 1.3f, 0.9e-3f).x, wide_box_saw(x, 1.3f, 1.1e-3f).x, 1e-3f);
     }
+}
+
+TEST(PeriodicBlur, TheSeriesKnowsThePlaceHalfAPeriodOnToo)
+{
+    for (const float sigma : {0.126f, 0.2f, 0.35f, 0.6f, 0.9f})
+        for (float x = -1; x < 1; x += 0.037f) {
+            const vec2 on = wide_gauss_saws(turn_of(x), gauss_fade(sigma)).half_on,
+                       wanted = blurred_saw(x + 0.5f, blur_of(KERNEL_GAUSS, sigma, 0));
+            EXPECT_NEAR(on.x, wanted.x, 2e-6f) << sigma;
+            EXPECT_NEAR(on.y, wanted.y, 2e-6f) << sigma;
+        }
 }
 
 TEST(PeriodicBlur, SharesOfStretchesAndTheirMiddlesAgreeWithSamples)

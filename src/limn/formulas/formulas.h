@@ -21,6 +21,7 @@ using glm::sin;
 #include "limn/formulas/apparent_ridge.glsl"
 #include "limn/formulas/bead_profile.glsl"
 #include "limn/formulas/brdf.glsl"
+#include "limn/formulas/brick_filter.glsl"
 #include "limn/formulas/bricks.glsl"
 #include "limn/formulas/crease_outline.glsl"
 #include "limn/formulas/direction_grid.glsl"

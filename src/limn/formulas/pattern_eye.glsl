@@ -28,6 +28,15 @@ FORMULA vec3 pattern_sight(const PatternEye eye, const vec2 pixel)
     return eye.forward + eye.right * off.x + eye.down * off.y;
 }
 
+// The place at a depth that a place of the picture shows.
+FORMULA vec3 place_at_depth(const PatternEye eye, const vec2 pixel, const float depth)
+{
+    if (eye.parallel == 0)
+        return eye.place + pattern_sight(eye, pixel) * depth;
+    vec2 off = pixel - eye.middle;
+    return eye.place + eye.right * off.x + eye.down * off.y + eye.forward * depth;
+}
+
 // Unit.
 FORMULA vec3 way_to_eye(const PatternEye eye, const vec3 position)
 {

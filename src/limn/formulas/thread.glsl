@@ -80,6 +80,16 @@ FORMULA vec4 thread_at(const ThreadPattern c, const vec3 n, const vec3 seen, con
     return vec4(thread_lit(c, kind == 1 ? level_tangent(n) : upright_tangent(n), seen, to_eye, lit), 1.0f);
 }
 
+// Shares of the kernel that even and odd threads cover along a coordinate that counts cells; where they are not to be told apart, all are even.
+FORMULA vec2 thread_shares(const float at, const float m, const bool apart, const Blur blur)
+{
+    if (!apart)
+        return vec2(blurred_pulse(at, -m, 2.0f * m, blur), 0.0f);
+    Blur pairs = blur_of(blur.kernel, 0.5f * blur.a, 0.5f * blur.b);
+    SawEnds s = blurred_saw_ends(0.5f * at, 0.5f * m, true, pairs);
+    return clamp(vec2(m + s.after.here.x - s.before.here.x, m + s.after.half_on.x - s.before.half_on.x), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
+}
+
 // The same through a kernel: each kind of thread is shaded once, with its share of the kernel. p's position is the sphere's normal, p's steps
 // are those of the normal.
 FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const int kernel, const float width, const Illumination lit)
@@ -94,15 +104,15 @@ FORMULA vec4 thread_through(const ThreadPattern c, const PatternPoint p, const i
     vec2 down = sphere_change(n, p.down) / cell;
     Blur along_u = blur_along(kernel, width, vec2(right.x, down.x));
     Blur along_v = blur_along(kernel, width, vec2(right.y, down.y));
-    float upright = blurred_pulse(at.x, -m, 2.0f * m, along_u);
-    float level = blurred_pulse(at.y, -m, 2.0f * m, along_v);
+    vec2 upright_threads = thread_shares(at.x, m, c.woven != 0, along_u);
+    vec2 level_threads = thread_shares(at.y, m, c.woven != 0, along_v);
+    float upright = upright_threads.x + upright_threads.y;
+    float level = level_threads.x + level_threads.y;
     float crossing = upright * level;
     float over = 1.0f; // share of the crossings where the level thread is above
     if (c.woven != 0) {
-        Blur pairs_u = blur_of(kernel, 0.5f * along_u.a, 0.5f * along_u.b);
-        Blur pairs_v = blur_of(kernel, 0.5f * along_v.a, 0.5f * along_v.b);
-        float u = 2.0f * blurred_pulse(0.5f * at.x, -0.5f * m, m, pairs_u) - upright; // even less odd
-        float v = 2.0f * blurred_pulse(0.5f * at.y, -0.5f * m, m, pairs_v) - level;
+        float u = upright_threads.x - upright_threads.y;
+        float v = level_threads.x - level_threads.y;
         over = crossing > 1e-6f ? clamp(0.5f + 0.5f * u * v / crossing, 0.0f, 1.0f) : 0.5f;
     }
     ThreadPattern seen = c; // what the sphere turns within the kernel widens highlights

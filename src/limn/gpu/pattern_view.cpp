@@ -18,8 +18,8 @@ namespace limn::gpu {
 namespace {
 
 /// As in the shaders.
-enum Binding : unsigned { faces_at = 2, patterns_at, sums_at, ground_at, palette_at, mask_at };
-enum TextureBinding : unsigned { first_texture, tops_texture, samples_texture, places_texture, facings_texture };
+enum Binding : unsigned { patterns_at = 3, sums_at, palette_at = 6, mask_at };
+enum TextureBinding : unsigned { first_texture, tops_texture, samples_texture, sides_texture, faces_texture, ground_texture };
 
 constexpr int most_sides = 12; ///< that are seen through holes, one behind the other
 constexpr int palette_size = 256;
@@ -36,6 +36,29 @@ Program surface_program(bool behind)
     return program_of("pattern.vert", "pattern_surface.frag", fmt::format("#define BEHIND {}\n", int(behind)));
 }
 
+Program backdrop_program(bool ground)
+{
+    return program_of("fill.vert", "pattern_backdrop.frag", fmt::format("#define GROUND {}\n", int(ground)));
+}
+
+/// With the width of tables, which are textures.
+Program edges_program()
+{
+    return Program({{Stage::compute, "pattern_edges.comp",
+                     fmt::format("#define TABLE_WIDTH {}\n#include \"limn/gpu/shaders/pattern_edges.comp\"\n", table_width)}});
+}
+
+/// What pattern_eye.glsl needs of a camera.
+void set_eye(const Program& program, const Projector& p)
+{
+    program.set("eye", vec3(p.eye));
+    program.set("forward", vec3(p.forward));
+    program.set("right", vec3(p.right / p.scale));
+    program.set("down", vec3(-p.above / p.scale));
+    program.set("middle", vec2(p.middle));
+    program.set("orthographic", int(p.orthographic));
+}
+
 std::vector<vec4> cusp_palette()
 {
     std::vector<vec4> palette;
@@ -44,17 +67,20 @@ std::vector<vec4> cusp_palette()
     return palette;
 }
 
-/// Of every face its unit normal, or zero where it has no area, and the object that it belongs to.
-std::vector<vec4> faces_of(const LineModel& model)
+/// Of every face its unit normal, or zero where it has no area, and the object that it belongs to, row by row.
+Texture faces_of(const LineModel& model)
 {
-    std::vector<vec4> faces(model.faces.size());
-    parallel_each(faces.size(), 8192, [&](std::size_t i) {
+    const ivec2 size = {table_width, int(model.faces.size() / table_width) + 1};
+    std::vector<vec4> faces(std::size_t(size.x) * std::size_t(size.y));
+    parallel_each(model.faces.size(), 8192, [&](std::size_t i) {
         const uvec3& t = model.faces[i];
         const vec3 a = model.positions[t.x], n = glm::cross(model.positions[t.y] - a, model.positions[t.z] - a);
-        const float size = glm::length(n);
-        faces[i] = vec4(size > 0 ? n / size : vec3(0), float(model.object_of_face(std::uint32_t(i))));
+        const float length = glm::length(n);
+        faces[i] = vec4(length > 0 ? n / length : vec3(0), float(model.object_of_face(std::uint32_t(i))));
     });
-    return faces;
+    Texture texture = make_texture(Format::rgba32f, size);
+    glTextureSubImage2D(texture.id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, faces.data());
+    return texture;
 }
 
 /// Whether from outside nothing but fronts of faces can be seen: every part is closed, and faces outwards.
@@ -86,6 +112,15 @@ Texture table_of(const std::vector<float>& numbers)
     return make_mipmaps({image});
 }
 
+/// How much light reaches a ground; without one, a texel that nobody reads.
+Texture ground_of(const PatternPaint& paint)
+{
+    Image image(paint.ground ? ivec2(paint.ground->shadow.grid().side) : ivec2(1), 1);
+    if (paint.ground)
+        std::copy(paint.ground->shadow.values().begin(), paint.ground->shadow.values().end(), image.samples.begin());
+    return make_mipmaps({image});
+}
+
 std::vector<float> in_turn(const std::vector<vec2>& places)
 {
     std::vector<float> numbers;
@@ -93,9 +128,6 @@ std::vector<float> in_turn(const std::vector<vec2>& places)
         numbers.insert(numbers.end(), {p.x, p.y});
     return numbers;
 }
-
-/// Places and facings.
-Framebuffer surfaces_of(const ivec2& size) { return Framebuffer(size, {Format::rgba32f, Format::rgba32f}); }
 
 void dispatch(const Program& program, ivec2 size)
 {
@@ -115,9 +147,9 @@ struct PatternRenderer::Picture {
     const PatternPaint& paint;
     Projector projector;
     Buffer patterns;
-    Texture tops, samples;
-    Buffer palette, ground;
-    const Program& program;
+    Texture tops, samples, ground;
+    Buffer palette;
+    const Program &program, &backdrop;
 };
 
 PatternRenderer::Targets::Targets(const ivec2& of, bool through, bool edges)
@@ -125,15 +157,14 @@ PatternRenderer::Targets::Targets(const ivec2& of, bool through, bool edges)
       mask(edges ? std::size_t(of.x) * std::size_t(of.y) * sizeof(unsigned) : sizeof(unsigned))
 {
     for (int side = 0; side < (through ? 3 : 1); ++side)
-        sides.push_back(surfaces_of(of));
+        sides.emplace_back(of, std::vector<Format>{Format::rgba32f});
     has_edges = edges;
 }
 
 PatternRenderer::PatternRenderer(const LineModel& model, int largest_tile)
     : model_(model), largest_tile_(largest_tile), buffers_(model), faces_(faces_of(model)), fronts_only_(shows_fronts_only(model)),
-      surface_(surface_program(false)), behind_(surface_program(true)), backdrop_(load_program({"fill.vert", "pattern_backdrop.frag"})),
-      there_(load_program({"fill.vert", "pattern_there.frag"})), mask_(load_program({"fill.vert", "pattern_mask.frag"})),
-      edges_(load_program({"pattern_edges.comp"})), gather_(load_program({"lit_gather.comp"})),
+      surface_(surface_program(false)), behind_(surface_program(true)), backdrop_(backdrop_program(false)), ground_(backdrop_program(true)),
+      mask_(load_program({"fill.vert", "pattern_mask.frag"})), edges_(edges_program()), gather_(load_program({"lit_gather.comp"})),
       resolve_(load_program({"pattern_resolve.comp"})), no_vertices_(make_vertex_array())
 {
 }
@@ -165,37 +196,33 @@ const Program& PatternRenderer::program_for(const PatternPaint& paint)
     return program;
 }
 
-void PatternRenderer::set_backdrop(const Picture& picture) const
+const Program& PatternRenderer::backdrop_for(const PatternPaint& paint, const Projector& p) const
 {
-    const Projector& p = picture.projector;
-    backdrop_.set("background", picture.paint.background);
-    backdrop_.set("ground", int(picture.paint.ground.has_value()));
-    if (!picture.paint.ground)
-        return;
-    const PaintedGround& ground = *picture.paint.ground;
-    backdrop_.set("eye", vec3(p.eye));
-    backdrop_.set("forward", vec3(p.forward));
-    backdrop_.set("right", vec3(p.right / p.scale));
-    backdrop_.set("down", vec3(-p.above / p.scale));
-    backdrop_.set("middle", vec2(p.middle));
-    backdrop_.set("orthographic", int(p.orthographic));
-    backdrop_.set("ground_colour", ground.colour);
-    backdrop_.set("ground_up", ground.plane.up());
-    backdrop_.set("ground_middle", ground.plane.middle());
-    backdrop_.set("ground_radius", ground.plane.radius());
-    backdrop_.set("grid_right", ground.shadow.grid().right);
-    backdrop_.set("grid_ahead", ground.shadow.grid().ahead);
-    backdrop_.set("grid_reach", ground.shadow.grid().reach);
-    backdrop_.set("grid_side", ground.shadow.grid().side);
+    const Program& program = paint.ground ? ground_ : backdrop_;
+    program.set("background", paint.background);
+    if (!paint.ground)
+        return program;
+    const PaintedGround& ground = *paint.ground;
+    set_eye(program, p);
+    program.set("ground_colour", ground.colour);
+    program.set("ground_up", ground.plane.up());
+    program.set("ground_middle", ground.plane.middle());
+    program.set("ground_radius", ground.plane.radius());
+    program.set("grid_right", ground.shadow.grid().right);
+    program.set("grid_ahead", ground.shadow.grid().ahead);
+    program.set("grid_reach", ground.shadow.grid().reach);
+    program.set("grid_side", ground.shadow.grid().side);
+    return program;
 }
 
-void PatternRenderer::hide_others(const Framebuffer& into, const Tile& tile) const
+void PatternRenderer::set_depth_of_others(const Framebuffer& into, const Tile& tile, float depth) const
 {
     into.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     mask_.set("tile_width", tile.size.x);
+    mask_.set("depth", depth);
     mask_.use();
     fill();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -203,19 +230,18 @@ void PatternRenderer::hide_others(const Framebuffer& into, const Tile& tile) con
 }
 
 void PatternRenderer::draw_surfaces(const Picture& picture, const Framebuffer& into, const Tile& tile, const dvec2& offset, bool edges_only,
-                                    const Framebuffer* before) const
+                                    Faces faces, const Framebuffer* before) const
 {
     const Projector& p = picture.projector;
     const Program& program = before ? behind_ : surface_;
     program.set("to_clip", clip_matrix(p, tile, offset));
     program.set("eye", vec3(p.eye));
     program.set("forward", vec3(p.forward));
-    program.set("orthographic", int(p.orthographic));
-    program.set("pixel_size", float(1 / p.scale));
-    into.clear(0, vec4(0)); // where places say that nothing is there, nobody reads the rest
+    if (before || targets_->has_edges) // others who read it know by the depths where something is
+        into.clear(0, vec4(0));
     into.clear_depth();
     if (edges_only)
-        hide_others(into, tile);
+        set_depth_of_others(into, tile, 0);
     into.bind();
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -223,13 +249,41 @@ void PatternRenderer::draw_surfaces(const Picture& picture, const Framebuffer& i
     if (before)
         bind_texture(before->colour(0), first_texture);
     program.use();
-    const bool passes_by_backs = fronts_only_ && targets_->sides.size() == 1 && is_outside(p);
-    if (passes_by_backs)
+    if (before)
+        query_.start();
+    draw_faces(faces);
+    if (before)
+        query_.stop();
+    if (edges_only)
+        set_depth_of_others(into, tile, 1);
+}
+
+void PatternRenderer::draw_faces(Faces faces) const
+{
+    if (faces != Faces::all) {
         glEnable(GL_CULL_FACE);
-    query_.start();
+        glCullFace(faces == Faces::fronts ? GL_BACK : GL_FRONT);
+    }
     buffers_.draw();
-    query_.stop();
+    glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
+}
+
+void PatternRenderer::look_for_fronts_behind(const Framebuffer& surfaces) const
+{
+    surfaces.bind();
+    buffers_.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    surface_.use();
+    query_.start();
+    draw_faces(Faces::fronts);
+    query_.stop();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
 }
 
 void PatternRenderer::fill() const
@@ -238,38 +292,32 @@ void PatternRenderer::fill() const
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void PatternRenderer::lay_under(const Program& program, const Targets& targets) const
+void PatternRenderer::lay_under(const Program& program, const Targets& targets, unsigned furthest) const
 {
     targets.whole.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(furthest);
+    glDepthMask(GL_FALSE);
+    glDepthRange(1, 1);
     if (targets.sides.size() > 1)
         glEnable(GL_BLEND);
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
     program.use();
     fill();
     glDisable(GL_BLEND);
+    glDepthRange(0, 1);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
 }
 
 void PatternRenderer::shade(const Picture& picture, const Framebuffer& surfaces, const Targets& targets, const Tile& tile,
                             const dvec2& offset) const
 {
-    const Projector& p = picture.projector;
     const Program& program = picture.program;
-    bind_texture(surfaces.colour(0), places_texture);
-    bind_texture(surfaces.colour(1), facings_texture);
-    faces_.bind_storage(faces_at); // of ModelBuffers, these shaders need no faces
-    // Drivers pass by what a test of depths hides; a pixel that a shader finds empty by itself may cost them as much as any other.
-    targets.whole.clear_depth();
-    targets.whole.bind();
-    glEnable(GL_DEPTH_TEST);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    there_.use();
-    fill();
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    program.set("eye", vec3(p.eye));
-    program.set("forward", vec3(p.forward));
-    program.set("orthographic", int(p.orthographic));
+    bind_texture(surfaces.colour(0), sides_texture);
+    bind_texture(faces_, faces_texture);
+    set_eye(program, picture.projector);
     program.set("corner", corner_of(tile, offset));
-    program.set("middle", vec2(p.middle));
     program.set("sample_count", int(picture.paint.samples.size()));
     if (picture.paint.patterns.size() > 1)
         picture.patterns.bind_storage(patterns_at);
@@ -278,32 +326,43 @@ void PatternRenderer::shade(const Picture& picture, const Framebuffer& surfaces,
     picture.palette.bind_storage(palette_at);
     bind_texture(picture.tops, tops_texture);
     bind_texture(picture.samples, samples_texture);
-    glDepthFunc(GL_GREATER);
-    glDepthMask(GL_FALSE);
-    lay_under(program, targets);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
+    // Drivers pass by what a test of depths hides; a pixel that a shader finds empty by itself may cost them as much as any other.
+    targets.whole.use_depth_of(surfaces);
+    lay_under(program, targets, GL_GREATER);
 }
 
 void PatternRenderer::draw(const Picture& picture, const Targets& targets, const Tile& tile, const dvec2& offset, bool edges_only) const
 {
-    const bool see_through = targets.sides.size() > 1;
+    const bool see_through = targets.sides.size() > 1, closed = fronts_only_ && is_outside(picture.projector);
     if (see_through)
         targets.whole.clear(0, vec4(0));
+    draw_surfaces(picture, targets.sides[0], tile, offset, edges_only, closed ? Faces::fronts : Faces::all, nullptr);
+    if (see_through && closed)
+        look_for_fronts_behind(targets.sides[0]);
+    shade(picture, targets.sides[0], targets, tile, offset);
+    if (see_through && closed && !query_.anything()) { // then the other side of it is all that follows
+        draw_surfaces(picture, targets.sides[1], tile, offset, edges_only, Faces::backs, nullptr);
+        shade(picture, targets.sides[1], targets, tile, offset);
+    } else if (see_through) {
+        draw_sides_behind(picture, targets, tile, offset, edges_only);
+    }
+    picture.backdrop.set("corner", corner_of(tile, offset));
+    bind_texture(picture.ground, ground_texture);
+    // Behind opaque surfaces nothing of it is seen.
+    lay_under(picture.backdrop, targets, see_through ? GL_ALWAYS : GL_EQUAL);
+}
+
+void PatternRenderer::draw_sides_behind(const Picture& picture, const Targets& targets, const Tile& tile, const dvec2& offset,
+                                        bool edges_only) const
+{
     // The first side is kept, to tell edges; those behind it go by turns.
     const auto surfaces = [&](int side) -> const Framebuffer& { return targets.sides[side == 0 ? 0 : std::size_t(1 + side % 2)]; };
-    for (int side = 0; side < (see_through ? most_sides : 1); ++side) {
-        draw_surfaces(picture, surfaces(side), tile, offset, edges_only, side > 0 ? &surfaces(side - 1) : nullptr);
-        if (side > 0 && !query_.anything())
+    for (int side = 1; side < most_sides; ++side) {
+        draw_surfaces(picture, surfaces(side), tile, offset, edges_only, Faces::all, &surfaces(side - 1));
+        if (!query_.anything())
             break;
         shade(picture, surfaces(side), targets, tile, offset);
     }
-    backdrop_.set("corner", corner_of(tile, offset));
-    picture.ground.bind_storage(ground_at);
-    // Behind opaque surfaces nothing of it is seen: shade() left the pixels open where there are none.
-    if (see_through)
-        glDisable(GL_DEPTH_TEST);
-    lay_under(backdrop_, targets);
 }
 
 const PatternRenderer::Targets& PatternRenderer::draw_tile(const Picture& picture, const Tile& tile)
@@ -313,12 +372,11 @@ const PatternRenderer::Targets& PatternRenderer::draw_tile(const Picture& pictur
     targets.mask.bind_storage(mask_at);
     draw(picture, targets, tile, dvec2(0), false);
     if (const int count = picture.paint.edge_samples; count > 1) {
-        bind_texture(targets.sides.front().colour(0), 0);
-        bind_texture(targets.sides.front().colour(1), 1);
-        edges_.set("eye", vec3(picture.projector.eye));
-        edges_.set("forward", vec3(picture.projector.forward));
-        edges_.set("orthographic", int(picture.projector.orthographic));
-        faces_.bind_storage(faces_at);
+        bind_texture(targets.sides.front().colour(0), sides_texture);
+        bind_texture(faces_, faces_texture);
+        set_eye(edges_, picture.projector);
+        edges_.set("corner", corner_of(tile, dvec2(0)));
+        edges_.set("pixel_size", float(1 / picture.projector.scale));
         dispatch(edges_, tile.size);
         const Framebuffer centres(tile.size, {Format::rgba32f});
         glCopyImageSubData(targets.whole.colour(0).id(), GL_TEXTURE_2D, 0, 0, 0, 0, centres.colour(0).id(), GL_TEXTURE_2D, 0, 0, 0, 0,
@@ -349,16 +407,17 @@ PatternRenderer::Picture PatternRenderer::picture_of(const Camera& camera, const
         if (pattern.lit.size() > 1)
             throw Error::Input("--device gpu: light from all sides is computed on the processor; leave the option out");
     const PackedPatterns packed = packed_patterns(paint, camera, model_.centre, model_.scale);
+    const Projector projector(model_, camera);
     Picture picture = {paint,
-                       Projector(model_, camera),
+                       projector,
                        Buffer(packed.numbers),
                        table_of(packed.tops),
                        table_of(in_turn(paint.samples)),
+                       ground_of(paint),
                        Buffer(cusp_palette()),
-                       paint.ground ? Buffer(paint.ground->shadow.values()) : Buffer(sizeof(float)),
-                       program_for(paint)};
+                       program_for(paint),
+                       backdrop_for(paint, projector)};
     glDisable(GL_CULL_FACE);
-    set_backdrop(picture);
     return picture;
 }
 

@@ -45,19 +45,26 @@ private:
     Picture picture_of(const Camera& camera, const PatternPaint& paint);
     Targets& targets_for(const ivec2& size, const PatternPaint& paint);
     const Program& program_for(const PatternPaint& paint);
-    void set_backdrop(const Picture& picture) const;
-    /// Hides all but the pixels on edges, in a cleared depth buffer.
-    void hide_others(const Framebuffer& into, const Tile& tile) const;
+    const Program& backdrop_for(const PatternPaint& paint, const Projector& projector) const;
+    /// Gives all but the pixels on edges a depth: 0 hides what follows there, 1 is that of nothing.
+    void set_depth_of_others(const Framebuffer& into, const Tile& tile, float depth) const;
+    enum class Faces : std::uint8_t { all, fronts, backs };
     /// @param before  the side in front of those that are looked for, or null
-    void draw_surfaces(const Picture& picture, const Framebuffer& into, const Tile& tile, const dvec2& offset, bool edges_only,
+    void draw_surfaces(const Picture& picture, const Framebuffer& into, const Tile& tile, const dvec2& offset, bool edges_only, Faces faces,
                        const Framebuffer* before) const;
+    void draw_faces(Faces faces) const;
+    /// Asks query_ whether other fronts are behind those that were drawn last. Where none is, an object that is closed has no more than two sides.
+    void look_for_fronts_behind(const Framebuffer& surfaces) const;
     /// One triangle over everything, with the program in use.
     void fill() const;
-    /// Where surfaces are see-through, under what is there; else in its place.
-    void lay_under(const Program& program, const Targets& targets) const;
-    /// Lays the light of surfaces under what is there; the depths of targets.whole are then those of a picture without anything where no surface is.
+    /// Where surfaces are see-through, under what is there; else in its place. At the furthest depth.
+    /// @param furthest  how that compares to the depths of targets.whole where something is laid
+    void lay_under(const Program& program, const Targets& targets, unsigned furthest) const;
+    /// Lays the light of surfaces under what is there; the depths of targets.whole are then theirs.
     void shade(const Picture& picture, const Framebuffer& surfaces, const Targets& targets, const Tile& tile, const dvec2& offset) const;
     void draw(const Picture& picture, const Targets& targets, const Tile& tile, const dvec2& offset, bool edges_only) const;
+    /// All sides behind the first, as many as there are.
+    void draw_sides_behind(const Picture& picture, const Targets& targets, const Tile& tile, const dvec2& offset, bool edges_only) const;
     const Targets& draw_tile(const Picture& picture, const Tile& tile);
     /// The picture of the tile that was drawn: linear, rows from the bottom.
     std::vector<vec4> read_tile(const Targets& targets) const;
@@ -65,10 +72,10 @@ private:
     const LineModel& model_;
     int largest_tile_;
     ModelBuffers buffers_;
-    Buffer faces_;
+    Texture faces_;
     bool fronts_only_;                        ///< from outside nothing else can be seen
     std::map<std::string, Program> programs_; ///< by file and macros
-    Program surface_, behind_, backdrop_, there_, mask_, edges_, gather_, resolve_;
+    Program surface_, behind_, backdrop_, ground_, mask_, edges_, gather_, resolve_;
     VertexArray no_vertices_;
     DrawnQuery query_;
     std::optional<Targets> targets_;

@@ -169,6 +169,8 @@ Framebuffer::Framebuffer(ivec2 size, const std::vector<Format>& colours) : size_
         throw Error::Device(fmt::format("the GPU cannot draw into a picture of {} x {}", size.x, size.y));
 }
 
+void Framebuffer::use_depth_of(const Framebuffer& other) const { glNamedFramebufferTexture(name_.id(), GL_DEPTH_ATTACHMENT, other.depth_.id(), 0); }
+
 void Framebuffer::bind() const
 {
     glBindFramebuffer(GL_FRAMEBUFFER, name_.id());

@@ -126,6 +126,8 @@ public:
     void clear_depth(float value = 1) const;
     const Texture& colour(int index) const { return colours_[std::size_t(index)]; }
     const Texture& depth() const { return depth_; }
+    /// Tests of depth go by those of another of the same size from now on, which has to outlive this.
+    void use_depth_of(const Framebuffer& other) const;
 
     /// Pixels of a colour picture, rows from the bottom to the top as OpenGL has them. Waits for the device.
     std::vector<vec4> read_floats(int colour) const;

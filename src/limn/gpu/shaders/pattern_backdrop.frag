@@ -1,9 +1,9 @@
-// What is behind surfaces that are made of patterns: the background, and the ground that fades into it.
+// What is behind surfaces that are made of patterns: the background, and the ground that fades into it. Macro: GROUND (1: there is one).
 #include "limn/formulas/pattern_eye.glsl"
 #include "limn/formulas/pattern_picture.glsl"
 #include "limn/formulas/shading.glsl"
 
-layout(std430, binding = 5) readonly buffer GroundValues { float ground_values[]; };
+layout(binding = 5) uniform sampler2D ground_values;
 uniform vec3 eye;          // its place; of parallel views, one on the line of sight through the picture's middle
 uniform vec3 forward;      // unit
 uniform vec3 right;        // per pixel, at depth 1 (at any depth in parallel views)
@@ -12,7 +12,6 @@ uniform int orthographic;
 uniform vec2 corner;       // as in pattern_seen.glsl
 uniform vec2 middle;
 uniform vec3 background;   // colours, linear
-uniform int ground;        // 1: there is one
 uniform vec3 ground_colour;
 uniform vec3 ground_up;
 uniform vec3 ground_middle;
@@ -25,15 +24,14 @@ layout(location = 0) out vec4 colour;
 
 float ground_value(const ivec2 p)
 {
-    return ground_values[p.y * grid_side + p.x];
+    return texelFetch(ground_values, p, 0).x;
 }
 #include "limn/formulas/ground_light.glsl"
 
 void main()
 {
     colour = vec4(background, 1.0f);
-    if (ground == 0)
-        return;
+#if GROUND
     PatternEye seen_by = PatternEye(eye, forward, right, down, middle, orthographic);
     vec2 pixel = corner + vec2(gl_FragCoord.x, -gl_FragCoord.y);
     vec3 direction = normalize(pattern_sight(seen_by, pixel));
@@ -48,4 +46,5 @@ void main()
     GroundGrid grid = GroundGrid(ground_middle, grid_right, grid_ahead, grid_reach, grid_side);
     if (cover > 0.0f)
         colour = vec4(mix(background, ground_colour * ground_light(grid, place), cover), 1.0f);
+#endif
 }

@@ -1,6 +1,6 @@
 // Bricks in mortar. Macros: BRICK_AXES, BRICK_BOND, FINISH_MODEL.
 #include "limn/gpu/shaders/pattern_numbers.glsl"
-#include "limn/formulas/bricks.glsl"
+#include "limn/formulas/brick_filter.glsl"
 
 vec4 pattern_at(const PatternNumbers n, const PatternPoint p, const int kernel, const float width, const Illumination lit)
 {

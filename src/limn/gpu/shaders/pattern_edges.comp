@@ -3,21 +3,28 @@
 #include "limn/gpu/shaders/pattern_side.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 0) uniform sampler2D places; // w: size of a pixel there, 0 where nothing is seen
-layout(binding = 1) uniform sampler2D facings;
+layout(binding = 3) uniform sampler2D sides; // of pattern_surface.frag
 layout(std430, binding = 7) writeonly buffer Mask { uint mask[]; };
 uniform ivec2 size;
 uniform vec3 eye;
 uniform vec3 forward;
+uniform vec3 right;       // per pixel, at depth 1 (at any depth in parallel views)
+uniform vec3 down;
 uniform int orthographic;
+uniform vec2 corner;      // as in pattern_seen.glsl
+uniform vec2 middle;
+uniform float pixel_size; // at depth 1; at any depth in parallel views
 
 SeenPlace place_at(const ivec2 p)
 {
-    vec4 place = texelFetch(places, p, 0);
-    if (place.w == 0.0f)
-        return SeenPlace(place.xyz, vec3(0.0f), 0.0f);
-    vec3 to_eye = orthographic != 0 ? -forward : normalize(eye - place.xyz);
-    return SeenPlace(place.xyz, seen_normal(outside_of(face_at(texelFetch(facings, p, 0)), to_eye), to_eye), place.w);
+    vec4 seen = texelFetch(sides, p, 0);
+    if (seen.w == 0.0f)
+        return SeenPlace(vec3(0.0f), vec3(0.0f), 0.0f);
+    SeenSide side = side_of(seen);
+    PatternEye seen_by = PatternEye(eye, forward, right, down, middle, orthographic);
+    vec3 position = place_at_depth(seen_by, corner + vec2(float(p.x) + 0.5f, -float(p.y) - 0.5f), side.depth);
+    vec3 to_eye = way_to_eye(seen_by, position);
+    return SeenPlace(position, seen_normal(outside_of(side.face, to_eye), to_eye), orthographic != 0 ? pixel_size : pixel_size * side.depth);
 }
 
 void main()

@@ -6,11 +6,12 @@
 #include "limn/gpu/shaders/pattern_side.glsl"
 
 layout(binding = 2) uniform sampler2D samples; // of the pattern in a pixel: x and y by turns, row by row
-layout(binding = 3) uniform sampler2D places; // seen_place
-layout(binding = 4) uniform sampler2D facings; // seen_facing
+layout(binding = 3) uniform sampler2D sides; // of pattern_surface.frag
 uniform int sample_count;
 uniform vec3 eye;           // its place; of parallel views, one on the line of sight through the picture's middle
 uniform vec3 forward;       // unit
+uniform vec3 right;         // per pixel, at depth 1 (at any depth in parallel views)
+uniform vec3 down;
 uniform int orthographic;
 uniform vec2 corner;        // the tile's lower left corner, px from the picture's upper left one, y down, with the offset of the sample
 uniform vec2 middle;        // of the picture, px
@@ -44,20 +45,20 @@ vec4 through(const PatternNumbers numbers, const vec3 n, const vec3 face, const 
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    position = texelFetch(places, pixel, 0).xyz;
-    vec4 facing = texelFetch(facings, pixel, 0);
-    vec3 to_eye = orthographic != 0 ? -forward : normalize(eye - position);
-    vec4 seen = face_at(facing);
-    vec3 outside = outside_of(seen, to_eye);
+    SeenSide side = side_of(texelFetch(sides, ivec2(gl_FragCoord.xy), 0));
+    PatternEye seen_by = PatternEye(eye, forward, right, down, middle, orthographic);
+    vec2 pixel = corner + vec2(gl_FragCoord.x, -gl_FragCoord.y);
+    position = place_at_depth(seen_by, pixel, side.depth);
+    vec3 to_eye = way_to_eye(seen_by, position);
+    vec3 outside = outside_of(side.face, to_eye);
     vec3 face = seen_normal(outside, to_eye);
-    vec3 n = flat_faces != 0 || dot(facing.xyz, facing.xyz) == 0.0f ? face : normalize(facing.xyz);
+    vec3 n = flat_faces != 0 || dot(side.normal, side.normal) == 0.0f ? face : side.normal;
     if (dot(n, face) < 0.0f)
         n = -n;
 #if OWN_PATTERNS
-    PatternNumbers numbers = patterns[uint(seen.w + 0.5f)];
+    PatternNumbers numbers = patterns[uint(side.face.w + 0.5f)];
 #else
     PatternNumbers numbers = pattern;
 #endif
-    colour = marked(numbers, through(numbers, n, face, to_eye, corner + vec2(gl_FragCoord.x, -gl_FragCoord.y)), n, outside, to_eye);
+    colour = marked(numbers, through(numbers, n, face, to_eye, pixel), n, outside, to_eye);
 }

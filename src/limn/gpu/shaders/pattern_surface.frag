@@ -1,24 +1,21 @@
 // Where surfaces that are made of patterns are seen. Little is done here: patterns are computed afterwards, once for each pixel, however small the triangles are.
+// One small picture holds what they need: depth, two coordinates of the normal, and the face's number with the third's sign (pattern_side.glsl reads it).
 // Macro: BEHIND (1: the side that is next behind `before` is looked for).
-layout(binding = 0) uniform sampler2D before; // places of the side before
-uniform vec3 eye;         // its place; of parallel views, one on the line of sight through the picture's middle
-uniform vec3 forward;     // unit
-uniform int orthographic;
-uniform float pixel_size; // at depth 1; at any depth in parallel views
+layout(binding = 0) uniform sampler2D before; // the side before
 
-in vec3 position;
-in vec3 normal;
-layout(location = 0) out vec4 seen_place;  // w: size of a pixel there
-layout(location = 1) out vec4 seen_facing; // the normal as it is between the corners; w: bits of the face's number
+in float depth;
+in vec3 normal; // as it is between the corners
+layout(location = 0) out vec4 seen_side;
 
 void main()
 {
-    float depth = dot(position - eye, forward);
 #if BEHIND
     vec4 last = texelFetch(before, ivec2(gl_FragCoord.xy), 0);
-    if (last.w == 0.0f || depth <= dot(last.xyz - eye, forward) + 1e-5f)
+    if (last.w == 0.0f || depth <= last.x + 1e-5f)
         discard;
 #endif
-    seen_place = vec4(position, orthographic != 0 ? pixel_size : pixel_size * depth);
-    seen_facing = vec4(normal, uintBitsToFloat(uint(gl_PrimitiveID) + 0x800000u)); // no denormal numbers
+    float size = dot(normal, normal);
+    vec3 n = normal * inversesqrt(size);
+    uint face = 2u * uint(gl_PrimitiveID) + (n.z < 0.0f ? 1u : 0u);
+    seen_side = vec4(depth, size > 0.0f ? n.xy : vec2(2.0f), uintBitsToFloat(face + 0x800000u)); // no denormal numbers
 }
