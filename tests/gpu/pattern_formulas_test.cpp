@@ -209,11 +209,17 @@ const Formula formulas_of_patterns[] = {
          r[0] = ahead > 0.1f ? horizon_sine(vec2(n.x, n.y), normalize(vec2(l.x, l.y))) : 0.0f; r[1] = sines.x; r[2] = sines.y; r[3] = half_disc(2.0f * k.z - 1.0f); r[4] = ambient_between(lights(l, k), n, t, vec2(-k.z, k.w)).y; s[0] = 2.0f; s[1] = 2.0f; s[2] = 2.0f;),
     BOTH("bead_frame, groove_ambient, groove_reflected", Illumination lit = lights(l, k); BeadFrame f = bead_frame(0.6f, k.y, n, t, lit); vec2 a = normalize(vec2(0.3f + k.x, 1.0f - 2.0f * k.z)); vec2 b = bead_normal(0.6f, a); vec3 ambient = groove_ambient(f, lit, a, b);
          bool sure = length(f.light) > 0.9f && length(vec2(dot(l, n), dot(l, t))) > 0.2f && length(vec2(dot(v, n), dot(v, t))) > 0.3f; r[0] = ambient.x; r[1] = sure ? f.soft : 0.0f; r[2] = sure ? f.light.y : 0.0f;
-         r[3] = sure ? groove_reflected(f, plastic(FINISH_MATTE, k), b, 0.01f, a, normalize(a + vec2(0.0f, 0.1f)), v, ambient, lit).x : 0.0f; s[0] = 5.0f; s[1] = 5.0f; s[2] = 5.0f; s[3] = 5.0f;),
+         r[3] = sure ? groove_reflected(f, plastic(FINISH_MATTE, k), b, 0.01f, a, normalize(a + vec2(0.0f, 0.1f)), k.w, v, ambient, lit).x : 0.0f; s[0] = 5.0f; s[1] = 5.0f; s[2] = 5.0f; s[3] = 5.0f;),
     BOTH("reflected_in, edge_radiance, tread_radiance", Illumination lit = lights(l, k); BeadFrame f = bead_frame(0.6f, k.y, n, t, lit); BeadView b = bead_view(0.6f, 0.2f + k.x, abs(x.x), 0.2f + k.y, 0.2f + abs(x.y)); Finish matte = plastic(FINISH_MATTE, k);
          bool sure = length(vec2(dot(l, n), dot(l, t))) > 0.2f && length(vec2(dot(v, n), dot(v, t))) > 0.3f; float tread = b.period - (b.to - b.from); r[0] = reflected_in(plastic(FINISH_GGX, k), n, t, v, 0.1f * k.y, lit, vec3(0.3f, 0.2f, 0.1f), k.z).x;
-         r[1] = sure ? edge_radiance(f, b, matte, v, mix(b.from, b.to, 0.2f + 0.6f * k.z), 0.05f, lit).x : 0.0f; r[2] = sure && tread > 0.05f ? tread_radiance(f, b, matte, v, b.to + (0.2f + 0.6f * k.w) * tread, 0.1f * tread, lit).x : 0.0f;
+         r[1] = sure ? edge_radiance(f, b, matte, v, mix(b.from, b.to, 0.2f + 0.6f * k.z), 0.05f, lit).x : 0.0f; r[2] = sure && tread > 0.05f ? tread_radiance(f, b, matte, v, b.to + (0.2f + 0.6f * k.w) * tread, 0.1f * tread, k.y, lit).x : 0.0f;
          s[0] = 20.0f; s[1] = 5.0f; s[2] = 5.0f;),
+    BOTH("edge_parts, shadow_on_tread, light_on_tread", BeadFrame f = bead_frame(0.6f, 2.0f * k.y, n, t, lights(l, k)); BeadView b = bead_view(0.6f, 0.2f + k.x, abs(x.x), 0.2f + k.y, 0.2f + abs(x.y));
+         float wide = edge_parts(b, k.w, 0.2f).x; vec3 narrow = edge_parts(b, 0.5f + 0.1f * k.x, 0.02f + 0.09f * k.z); vec3 around = edge_parts(b, 0.03f, 0.02f + 0.09f * k.z);
+         float tread = b.period - (b.to - b.from); bool sure = abs(f.light.y) > 0.1f && length(vec2(dot(l, n), dot(l, t))) > 0.2f && tread > 0.2f && b.way.y > 0.1f; vec2 shadow = shadow_on_tread(f, b);
+         Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(0.3f + k.x, k.y)); vec2 front = blurred_saw(k.w - (b.to - b.from) / b.period, g); vec2 back = blurred_saw(k.w, g); Stretch part = stretch_under(front, back, tread / b.period, g);
+         r[0] = wide; r[1] = narrow.x + narrow.y + narrow.z; r[2] = around.x + around.y + around.z; r[3] = sure ? shadow.x : 0.0f; r[4] = sure ? shadow.y : 0.0f; r[5] = sure && part.weight > 0.05f ? light_on_tread(f, b, k.w, g, front, back, part.weight) : 0.0f;
+         s[0] = 10.0f; s[1] = 10.0f * b.period; s[2] = s[1]; s[3] = 50.0f; s[4] = 50.0f; s[5] = 50.0f;),
     BOTH("bead_radiance", PatternPoint p = spot(n, v, t, x, k); Illumination lit = lights(l, k); LayerPlace place = {x.w, 0.2f, vec2(0.02f + k.x, k.y)}; Blur g = blur_along(KERNEL_GAUSS, 0.5f, place.change);
          bool sure = dot(p.normal, v) > 0.2f && length(vec2(n.x, n.y)) > 0.2f && length(vec2(v.x, v.y)) > 0.2f;
          r[0] = sure ? bead_radiance(stack(LAYERS_BEAD), plastic(FINISH_GGX, k), p, place, g, lit).x : 0.0f; s[0] = 5.0f;),

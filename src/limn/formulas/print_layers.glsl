@@ -117,12 +117,13 @@ FORMULA vec3 groove_ambient(const BeadFrame frame, const Illumination lit, const
     return ambient_between(lit, normal, aside, groove_opening(frame.bulge, frame.shift, at, n));
 }
 
-// Radiance from between two places that have about one normal, whose variance is `spread`. `ambient` is the light of sky and floor that reaches them.
-FORMULA vec3 groove_reflected(const BeadFrame frame, const Finish f, const vec2 n, const float spread, const vec2 first, const vec2 last, const vec3 to_eye, const vec3 ambient, const Illumination lit)
+// Radiance from between two places that have about one normal, whose variance is `spread`, and that `share` of the light reaches. `ambient` is the light of sky and
+// floor that reaches them.
+FORMULA vec3 groove_reflected(const BeadFrame frame, const Finish f, const vec2 n, const float spread, const vec2 first, const vec2 last, const float share, const vec3 to_eye, const vec3 ambient, const Illumination lit)
 {
     vec3 normal = frame.out_dir * n.x + frame.up * n.y;
     Illumination own = lit;
-    own.light = lit.light * groove_share(frame.shift, frame.light, first, last, frame.soft);
+    own.light = lit.light * share;
     vec3 mirrored = normal * (2.0f * dot(normal, to_eye)) - to_eye;
     float out_part = dot(mirrored, frame.out_dir);
     float up_part = dot(mirrored, frame.up);
@@ -142,11 +143,43 @@ FORMULA vec3 edge_radiance(const BeadFrame frame, const BeadView view, const Fin
     vec2 n_high = bead_normal(frame.bulge, high);
     vec2 apart = n_high - n_low;
     vec3 ambient = 0.5f * (groove_ambient(frame, lit, low, n_low) + groove_ambient(frame, lit, high, n_high));
-    return groove_reflected(frame, f, bead_normal(frame.bulge, bead_point(view, middle)), 0.25f * dot(apart, apart), first, last, to_eye, ambient, lit);
+    float share = groove_share(frame.shift, frame.light, first, last, frame.soft);
+    return groove_reflected(frame, f, bead_normal(frame.bulge, bead_point(view, middle)), 0.25f * dot(apart, apart), first, last, share, to_eye, ambient, lit);
 }
 
-// The same of a part of a tread: three points, as the groove's bottom is dark.
-FORMULA vec3 tread_radiance(const BeadFrame frame, const BeadView view, const Finish f, const vec3 to_eye, const float middle, const float spread, const Illumination lit)
+// Where the shadow of the edge above begins on a tread, across the line of sight, and half of the width of its border.
+FORMULA vec2 shadow_on_tread(const BeadFrame frame, const BeadView view)
+{
+    float rise = max(frame.light.y, 1e-3f);
+    vec2 neighbour = vec2(-frame.shift, 2.0f);
+    // Where the light that touches the edge meets the tread.
+    vec2 at = vec2((frame.light.x + 1.0f - across_way(frame.light, neighbour)) / rise, 1.0f);
+    return vec2(view.way.x - at.x * view.way.y, max(frame.soft * dot(frame.light, neighbour - at), 0.02f) * view.way.y / rise);
+}
+
+// The share of the light that reaches a tread, over the part of it that is under the kernel: `front` and `back` are the blurred saws at its ends, `weight` the
+// part's share of the kernel.
+FORMULA float light_on_tread(const BeadFrame frame, const BeadView view, const float phase, const Blur blur, const vec2 front, const vec2 back, const float weight)
+{
+    vec2 shadow = shadow_on_tread(frame, view);
+    float end = view.period + view.from;
+    float border = max(shadow.x - shadow.y, view.to);
+    float dark = min(shadow.x + shadow.y, end);
+    if (border >= end)
+        return 1.0f;
+    if (dark <= view.to)
+        return 0.0f;
+    float per_period = 1.0f / view.period;
+    vec2 border_saw = border > view.to ? blurred_saw(phase - (border - view.from) * per_period, blur) : front;
+    vec2 dark_saw = dark < end ? blurred_saw(phase - (dark - view.from) * per_period, blur) : back;
+    Stretch bright = stretch_under(front, border_saw, (border - view.to) * per_period, blur);
+    Stretch dim = stretch_under(border_saw, dark_saw, (dark - border) * per_period, blur);
+    float middle = 0.5f * (border + dark) + dim.middle * view.period;
+    return clamp((bright.weight + dim.weight * (0.5f - 0.5f * (middle - shadow.x) / shadow.y)) / weight, 0.0f, 1.0f);
+}
+
+// Radiance of a part of a tread that so much of the light reaches: three points, as the groove's bottom is dark.
+FORMULA vec3 tread_radiance(const BeadFrame frame, const BeadView view, const Finish f, const vec3 to_eye, const float middle, const float spread, const float share, const Illumination lit)
 {
     float end = view.period + view.from;
     float reach = 1.3416408f * spread;
@@ -155,7 +188,23 @@ FORMULA vec3 tread_radiance(const BeadFrame frame, const BeadView view, const Fi
                     5.0f * groove_ambient(frame, lit, tread_point(view, min(middle + reach, end)), n)) / 18.0f;
     vec2 first = tread_point(view, max(middle - 1.7320508f * spread, view.to));
     vec2 last = tread_point(view, min(middle + 1.7320508f * spread, end));
-    return groove_reflected(frame, f, n, 0.0f, first, last, to_eye, ambient, lit);
+    return groove_reflected(frame, f, n, 0.0f, first, last, share, to_eye, ambient, lit);
+}
+
+// Where an edge is taken apart, across the line of sight and in their order: at quarters of the angle of its circle, or where a narrow kernel, of so many periods'
+// standard deviation, sees little of it, around that.
+FORMULA vec3 edge_parts(const BeadView view, const float phase, const float deviation)
+{
+    if (deviation > 0.12f) {
+        vec2 start = bead_point(view, view.from);
+        vec2 end = bead_point(view, view.to);
+        vec2 middle = normalize(start + end + vec2(1e-6f, 0.0f));
+        return vec3(across_way(view.way, normalize(start + middle)), across_way(view.way, middle), across_way(view.way, normalize(middle + end)));
+    }
+    vec3 at = vec3(phase - 2.5f * deviation, phase, phase + 2.5f * deviation);
+    at = at - floor(at);
+    vec3 ordered = at.x > at.y ? vec3(at.y, at.z, at.x) : (at.y > at.z ? vec3(at.z, at.x, at.y) : at); // what went around is first
+    return min(view.from + view.period * ordered, vec3(view.to, view.to, view.to));
 }
 
 // Radiance of the bead model, each part of an edge shaded once and weighted with its share of the kernel.
@@ -172,11 +221,8 @@ FORMULA vec3 bead_radiance(const LayerPattern s, const Finish f, const PatternPo
     }
     BeadFrame frame = bead_frame(s.bulge, view.shift, out_dir, up, lit);
     float phase = bead_phase(view, place.at);
-    // Quarters of the edge by the angle of its circle.
-    vec2 start_point = bead_point(view, view.from);
-    vec2 end_point = bead_point(view, view.to);
-    vec2 middle = normalize(start_point + end_point + vec2(1e-6f, 0.0f));
-    const float ends[5] = { view.from, across_way(view.way, normalize(start_point + middle)), across_way(view.way, middle), across_way(view.way, normalize(middle + end_point)), view.to };
+    vec3 parts = edge_parts(view, phase, sqrt(blur_variance(blur)));
+    const float ends[5] = { view.from, parts.x, parts.y, parts.z, view.to };
     vec2 before = blurred_saw(phase, blur);
     vec2 start = before;
     vec3 sum = vec3(0.0f, 0.0f, 0.0f);
@@ -189,8 +235,10 @@ FORMULA vec3 bead_radiance(const LayerPattern s, const Finish f, const PatternPo
     }
     float tread = view.period - (view.to - view.from);
     Stretch part = stretch_under(before, start, tread / view.period, blur);
-    if (tread > 1e-4f * view.period && part.weight > 1e-3f)
-        sum = sum + part.weight * tread_radiance(frame, view, f, p.to_eye, view.to + 0.5f * tread + part.middle * view.period, part.spread * view.period, lit);
+    if (tread > 1e-4f * view.period && part.weight > 1e-3f) {
+        float share = light_on_tread(frame, view, phase, blur, before, start, part.weight);
+        sum = sum + part.weight * tread_radiance(frame, view, f, p.to_eye, view.to + 0.5f * tread + part.middle * view.period, part.spread * view.period, share, lit);
+    }
     return sum;
 }
 

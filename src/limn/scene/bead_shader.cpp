@@ -97,7 +97,8 @@ vec3 BeadShader::own(const SeenBead& seen, float share) const
     BeadFrame frame = bead_frame(edge_bulge(shape), in.shift, in.out, in.towards, lit);
     frame.along = along;
     const vec2 n = glm::normalize(vec2(glm::dot(seen.normal, in.out), glm::dot(seen.normal, in.towards)));
-    return groove_reflected(frame, finish, n, 0, n, n, to_eye, groove_ambient(frame, lit, n, n), lit);
+    return groove_reflected(frame, finish, n, 0, n, n, groove_share(frame.shift, frame.light, n, n, frame.soft), to_eye,
+                            groove_ambient(frame, lit, n, n), lit);
 }
 
 /// The pixel's place on the plane that touches the outermost places of the beads, where layers are told apart.
