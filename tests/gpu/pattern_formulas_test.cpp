@@ -216,7 +216,7 @@ const Formula formulas_of_patterns[] = {
          s[0] = 20.0f; s[1] = 5.0f; s[2] = 5.0f;),
     BOTH("edge_parts, shadow_on_tread, light_on_tread", BeadFrame f = bead_frame(0.6f, 2.0f * k.y, n, t, lights(l, k)); BeadView b = bead_view(0.6f, 0.2f + k.x, abs(x.x), 0.2f + k.y, 0.2f + abs(x.y));
          float wide = edge_parts(b, k.w, 0.2f).x; vec3 narrow = edge_parts(b, 0.5f + 0.1f * k.x, 0.02f + 0.09f * k.z); vec3 around = edge_parts(b, 0.03f, 0.02f + 0.09f * k.z);
-         float tread = b.period - (b.to - b.from); bool sure = abs(f.light.y) > 0.1f && length(vec2(dot(l, n), dot(l, t))) > 0.2f && tread > 0.2f && b.way.y > 0.1f; vec2 shadow = shadow_on_tread(f, b);
+         float tread = b.period - (b.to - b.from); bool sure = f.light.y > 0.1f && length(vec2(dot(l, n), dot(l, t))) > 0.2f && tread > 0.2f && b.way.y > 0.1f; vec2 shadow = shadow_on_tread(f, b);
          Blur g = blur_along(KERNEL_GAUSS, 0.5f, vec2(0.3f + k.x, k.y)); vec2 front = blurred_saw(k.w - (b.to - b.from) / b.period, g); vec2 back = blurred_saw(k.w, g); Stretch part = stretch_under(front, back, tread / b.period, g);
          r[0] = wide; r[1] = narrow.x + narrow.y + narrow.z; r[2] = around.x + around.y + around.z; r[3] = sure ? shadow.x : 0.0f; r[4] = sure ? shadow.y : 0.0f; r[5] = sure && part.weight > 0.05f ? light_on_tread(f, b, k.w, g, front, back, part.weight) : 0.0f;
          s[0] = 10.0f; s[1] = 10.0f * b.period; s[2] = s[1]; s[3] = 50.0f; s[4] = 50.0f; s[5] = 50.0f;),

@@ -185,7 +185,7 @@ TEST_F(TerrainPainting, KeepsNearAndFarInOrder)
 TEST_F(TerrainPainting, TakesCoarserNormalsWhereFinerOnesAreNotThere)
 {
     const HeightMap map = smooth_hills(700, 700);
-    Camera camera = over(map);
+    const Camera camera = over(map, {400, 300});
     const auto terrain = moving_map(map);
     TerrainStep step = terrain->step(camera, {.pixels = 0.5});
     const Image fine = paint(map, step, camera, {});
@@ -203,7 +203,7 @@ TEST_F(TerrainPainting, TakesCoarserNormalsWhereFinerOnesAreNotThere)
 TEST_F(TerrainPainting, TakesLightInSteps)
 {
     const HeightMap map = smooth_hills(700, 700);
-    const Camera camera = over(map);
+    const Camera camera = over(map, {400, 300});
     const TerrainStep step = moving_map(map)->step(camera, {.pixels = 0.5});
     const gpu::TileLight& light = step.light;
     ASSERT_GT(light.fresh.size(), 5u);

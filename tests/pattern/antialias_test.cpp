@@ -264,6 +264,47 @@ TEST(Filter, AlmostNoKernelGivesTheHardPatternAndAVeryWideOneItsMean)
     }
 }
 
+/// How much a pattern varies from place to place within a few periods, under a kernel: in luminance, on spheres, whose light
+/// varies too, in how much of them it covers.
+double contrast(const Spots& spots, const Case& c, double period, int kernel, float width)
+{
+    const PatternPoint middle = spots.camera.point(spots.at({18, 25}, c.sphere)); // seen from above a little
+    const vec3 centre = {0, 0, -1};
+    std::vector<double> values(600);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        Random random(21, i);
+        const float right = float(random.uniform(-1.5 * period, 1.5 * period)), down = float(random.uniform(-1.5 * period, 1.5 * period));
+        PatternPoint p = middle;
+        p.position += right * middle.right + down * middle.down;
+        if (c.sphere) {
+            p.normal = glm::normalize(p.position - centre);
+            p.position = centre + p.normal;
+        }
+        const vec4 seen = c.at(p, kernel, width);
+        values[i] = c.sphere ? double(seen.w) : luminance(seen);
+    }
+    return rmse(values, std::vector<double>(values.size(), mean(values)));
+}
+
+// A Gauss kernel lets less of each wave through the wider it is; of a square some waves come back.
+TEST(Filter, LosesContrastFromTheHardPatternToItsMeanAsTheKernelGrows)
+{
+    const Spots spots;
+    const double period = 10;
+    for (const Case& c : cases(period)) {
+        const double hard = contrast(spots, c, period, KERNEL_NONE, 0);
+        double last = hard;
+        EXPECT_NEAR(contrast(spots, c, period, KERNEL_GAUSS, 0.02f), hard, 0.05 * hard) << c.name;
+        for (float width = 0.05f; width < 30; width *= 1.3f) {
+            const double now = contrast(spots, c, period, KERNEL_GAUSS, width);
+            EXPECT_LT(now, last + 0.005 * hard) << c.name << ", width " << width;
+            last = now;
+        }
+        EXPECT_LT(last, 0.05 * hard) << c.name;
+        EXPECT_LT(contrast(spots, c, period, KERNEL_BOX, 100), 0.05 * hard) << c.name;
+    }
+}
+
 /// RMS of what is left of black and white stripes around their mean, over all phases.
 double residue(double cycles, float side, std::span<const vec2> samples)
 {

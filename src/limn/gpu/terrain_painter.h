@@ -34,7 +34,7 @@ struct TerrainPaint {
 class TerrainPainter {
 public:
     /// How far apart the points of the normals are that it looks for, in pixels; shading_tiles() has to be asked for the same.
-    static constexpr double pixels_between_normals = 0.7;
+    static constexpr double pixels_between_normals = 0.75;
 
     /// @param frame  the map, with or without heights
     TerrainPainter(const HeightMap& frame, const PyramidLayout& layout);

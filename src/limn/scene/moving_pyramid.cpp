@@ -68,23 +68,28 @@ public:
 private:
     gpu::TerrainModel model(const TerrainPyramidView::Frame& frame, const dvec3& middle) const
     {
-        gpu::TerrainModel model;
-        model.middle = middle;
-        if (frame.is_met()) {
-            add(model, pyramid_mesh(pyramid_, frame.leaves, factor_));
-            model.met = model.triangles.size();
-            return model;
-        }
+        if (frame.is_met())
+            return model(pyramid_mesh(pyramid_, frame.leaves, factor_), {}, middle);
         std::vector<PyramidLeaf> met, unmet;
+        unmet.reserve(frame.unmet.size());
+        met.reserve(frame.leaves.size() - frame.unmet.size());
         std::size_t next = 0; // of those that are not met
         for (std::size_t i = 0; i < frame.leaves.size(); ++i) {
             const bool is_unmet = next < frame.unmet.size() && frame.unmet[next] == i;
             next += is_unmet;
             (is_unmet ? unmet : met).push_back(frame.leaves[i]);
         }
-        add(model, pyramid_mesh(pyramid_, met, factor_));
+        return model(pyramid_mesh(pyramid_, met, factor_), pyramid_mesh(pyramid_, unmet, factor_), middle);
+    }
+    gpu::TerrainModel model(const Mesh& met, const Mesh& unmet, const dvec3& middle) const
+    {
+        gpu::TerrainModel model;
+        model.middle = middle;
+        model.vertices.reserve(met.positions.size() + unmet.positions.size());
+        model.triangles.reserve(met.triangles.size() + unmet.triangles.size());
+        add(model, met);
         model.met = model.triangles.size();
-        add(model, pyramid_mesh(pyramid_, unmet, factor_));
+        add(model, unmet);
         return model;
     }
     void add(gpu::TerrainModel& model, const Mesh& mesh) const
@@ -96,7 +101,6 @@ private:
             const dvec3& p = mesh.positions[i];
             model.vertices[first + i] = vec4(vec3(p - model.middle), float((p.z - low) / relief));
         });
-        model.triangles.reserve(model.triangles.size() + mesh.triangles.size());
         for (const uvec3& t : mesh.triangles)
             model.triangles.push_back(t + first);
     }

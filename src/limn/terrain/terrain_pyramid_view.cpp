@@ -222,7 +222,7 @@ SharedTile TerrainPyramidView::find(const TileId& id) const
 /// Asks for what is missing, that which shows most first, as far as the budget goes.
 void TerrainPyramidView::ask_for(const std::vector<TileId>& others)
 {
-    constexpr std::size_t most_others = 32; // at a time
+    constexpr std::size_t most_others = 16; // at a time
     const PyramidLayout& layout = pyramid_.layout();
     const std::size_t room = std::min(wanted_.size(), options_.budget / tile_bytes_);
     frame_.over_budget = wanted_.size() > room;
