@@ -205,6 +205,7 @@ Subcommand add_view(CLI::App& limn)
         ->check(CLI::Range(-360.0, 360.0))
         ->group("Script");
     add_view_options(*app, command->view);
+    app->get_option("--view")->description("from where it begins: front|back|left|right|top|bottom|iso or AZ,EL in degrees (default 20,35)");
     for (const char* name : {"--up-axis", "--scale", "--unit"})
         app->get_option(name)->group(""); // not in the help: a window has no paper, and what is up is known
     add_common_options(*app, command->common, "with --frames: picture of the last frame, png; '-' is standard output");

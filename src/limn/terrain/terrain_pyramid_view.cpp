@@ -188,9 +188,11 @@ const TerrainPyramidView::Frame& TerrainPyramidView::update(const Camera& camera
     ++frame_number_;
     const std::pair seen(camera, tolerance);
     frame_.is_new = take_arrivals() || seen_ != seen;
-    if (frame_.is_new)
+    if (frame_.is_new) {
+        seen_.reset(); // where the tolerance is none, and leaves are not found
         find_leaves(camera, tolerance);
-    seen_ = seen;
+        seen_ = seen;
+    }
     ask_for(others);
     return frame_;
 }
