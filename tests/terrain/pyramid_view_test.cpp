@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/base/error.h"
+#include "limn/base/random.h"
 #include "limn/terrain/measure_terrain.h"
 #include "limn/terrain/terrain_mesh.h"
 #include "terrain/pyramid_support.h"
@@ -121,6 +122,25 @@ TEST_F(PyramidView, StaysWithinItsBudgetAndShowsWhatFits)
             expect_conforming(frame.leaves);
             EXPECT_LE(view.most_bytes(), top + tiles * tile);
         }
+    }
+}
+
+// What is being read cannot be called back when something that shows more comes in between.
+TEST_F(PyramidView, StaysWithinItsBudgetWhileTheCameraJumps)
+{
+    const int coarsest = pyramid_->layout().top();
+    const ivec2 tops = pyramid_->layout().tiles(coarsest);
+    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes(),
+                      top = std::size_t(tops.x) * std::size_t(tops.y) * pyramid_->read({coarsest, {0, 0}}).bytes();
+    for (const std::size_t tiles : {std::size_t(3), std::size_t(7)}) {
+        TerrainPyramidView view(*pyramid_, {.budget = tiles * tile, .loaders = 2});
+        Random random(8, tiles);
+        for (int i = 0; i < 120; ++i) {
+            view.update(camera(random.uniform(0.05, 0.9)), {.pixels = 0.1});
+            if (i % 3 == 0)
+                view.wait();
+        }
+        EXPECT_LE(view.most_bytes(), top + tiles * tile);
     }
 }
 

@@ -263,29 +263,31 @@ bool TerrainPyramidView::is_to_be_read(const TileId& id)
 }
 
 /// Lets tiles go that no one wants, those first that were not used for longest. What is still being read takes room too, wanted or not; where
-/// there is none left, the last of what is missing has to wait.
+/// there is none left, the last of what is missing, and is not being read, has to wait.
 /// @param beside  bytes beyond the budget
 void TerrainPyramidView::make_room(std::vector<TileId>& missing, std::size_t beside)
 {
     loader_.want({}); // no reading begins while what is being read is counted
-    const std::vector<TileRequest> under_way = loader_.under_way();
-    const auto unwanted = std::count_if(under_way.begin(), under_way.end(), [&](const TileRequest& request) {
-        return request.parts == TileParts::all && std::find(missing.begin(), missing.end(), request.id) == missing.end();
-    });
-    std::size_t coming = missing.size() + std::size_t(unwanted);
+    std::vector<TileRequest> coming = loader_.under_way();
+    std::erase_if(coming, [](const TileRequest& request) { return request.parts != TileParts::all; });
+    const auto is_coming = [&](const TileId& id) { return std::find(coming.begin(), coming.end(), TileRequest{id}) != coming.end(); };
+    std::size_t count = coming.size() + std::size_t(std::count_if(missing.begin(), missing.end(), std::not_fn(is_coming)));
     std::vector<std::pair<std::uint64_t, std::size_t>> idle; // frame and number
     for (const auto& [number, resident] : residents_)
         if (resident.last_used < frame_number_ && number >= top_tiles_)
             idle.emplace_back(resident.last_used, number);
     std::sort(idle.begin(), idle.end(), std::greater<>());
-    const auto is_full = [&] { return bytes_ - top_bytes_ + coming * tile_bytes_ > options_.budget; };
+    const auto is_full = [&] { return bytes_ - top_bytes_ + count * tile_bytes_ > options_.budget; };
     for (; is_full() && !idle.empty(); idle.pop_back()) {
         bytes_ -= residents_.at(idle.back().second).tile->bytes();
         residents_.erase(idle.back().second);
     }
-    for (; is_full() && !missing.empty(); --coming)
-        missing.pop_back();
-    most_bytes_ = std::max(most_bytes_, bytes_ + coming * tile_bytes_ + beside);
+    for (auto last = missing.end(); is_full() && last != missing.begin();)
+        if (--last; !is_coming(*last)) {
+            last = missing.erase(last);
+            --count;
+        }
+    most_bytes_ = std::max(most_bytes_, bytes_ + count * tile_bytes_ + beside);
 }
 
 const TerrainPyramidView::Frame& TerrainPyramidView::finish(const Camera& camera, const ViewTolerance& tolerance)
