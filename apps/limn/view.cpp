@@ -43,7 +43,7 @@ struct ViewCommand {
     ViewOptions view;
     std::string max_error = "1px";
     TerrainSettings settings;
-    double tile_memory = 112; ///< MB: whatever is near by, all is within 512 MB with it on a software renderer
+    double tile_memory = 112; ///< MB; with it the whole program stays within 512 MB on a software renderer (docs/terrain.md)
     int frames = 0;
     double turn = 0; ///< degrees a frame
 };

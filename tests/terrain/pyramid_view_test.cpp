@@ -44,6 +44,15 @@ protected:
         camera.size = {400, 300};
         return camera;
     }
+    /// Of a tile below the coarsest level.
+    std::size_t tile_bytes() const { return pyramid_->read({0, {0, 0}}).bytes(); }
+    /// Of the whole coarsest level.
+    std::size_t coarsest_bytes() const
+    {
+        const int coarsest = pyramid_->layout().top();
+        const ivec2 tops = pyramid_->layout().tiles(coarsest);
+        return std::size_t(tops.x) * std::size_t(tops.y) * pyramid_->read({coarsest, {0, 0}}).bytes();
+    }
     /// Each edge inside belongs to two triangles: no cracks.
     void expect_conforming(const std::vector<PyramidLeaf>& leaves) const
     {
@@ -109,10 +118,7 @@ TEST_F(PyramidView, HasNoCracksAndTellsWhereItIsTooCoarseWhileTilesArrive)
 
 TEST_F(PyramidView, StaysWithinItsBudgetAndShowsWhatFits)
 {
-    const int coarsest = pyramid_->layout().top();
-    const ivec2 tops = pyramid_->layout().tiles(coarsest);
-    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes(),
-                      top = std::size_t(tops.x) * std::size_t(tops.y) * pyramid_->read({coarsest, {0, 0}}).bytes();
+    const std::size_t tile = tile_bytes(), top = coarsest_bytes();
     for (const std::size_t tiles : {std::size_t(0), std::size_t(7)}) {
         TerrainPyramidView view(*pyramid_, {.budget = tiles * tile, .loaders = 2});
         for (const double along : {0.1, 0.7}) {
@@ -128,10 +134,7 @@ TEST_F(PyramidView, StaysWithinItsBudgetAndShowsWhatFits)
 // What is being read cannot be called back when something that shows more comes in between.
 TEST_F(PyramidView, StaysWithinItsBudgetWhileTheCameraJumps)
 {
-    const int coarsest = pyramid_->layout().top();
-    const ivec2 tops = pyramid_->layout().tiles(coarsest);
-    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes(),
-                      top = std::size_t(tops.x) * std::size_t(tops.y) * pyramid_->read({coarsest, {0, 0}}).bytes();
+    const std::size_t tile = tile_bytes(), top = coarsest_bytes();
     for (const std::size_t tiles : {std::size_t(3), std::size_t(7)}) {
         TerrainPyramidView view(*pyramid_, {.budget = tiles * tile, .loaders = 2});
         Random random(8, tiles);
@@ -194,7 +197,7 @@ TEST_F(PyramidView, ForgetsTilesThatAreNotSeenAnyMoreForOthers)
         camera.look = camera.eye + dvec3(30, 60, -200);
         return camera;
     };
-    const std::size_t tile = pyramid_->read({0, {0, 0}}).bytes();
+    const std::size_t tile = tile_bytes();
     TerrainPyramidView all(*pyramid_);
     std::size_t most = 0;
     for (const double along : {0.1, 0.5, 0.9}) {
